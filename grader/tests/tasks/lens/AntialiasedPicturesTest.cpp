@@ -1,4 +1,5 @@
-// Pictures whose rays go through all of their pixel, for code whose rays are not visible.
+// Antialiased pictures: their rays go through the whole pixel, or a part of it. The rays themselves
+// are not visible.
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
@@ -58,7 +59,7 @@ TEST(AntialiasedPictures, AreAcceptedWithEitherApertureInAllOrAPartOfThePixel) {
     }
 }
 
-// The noise of a single picture may hide antialiasing, whose blur then looks like a mistake's.
+// The noise of a single picture may hide antialiasing. Its blur then looks like that of a mistake.
 TEST(AntialiasedPictures, AreNotFailedForASinglePicture) {
     for (const std::uint64_t seed : {105, 109, 110})
         EXPECT_EQ(idOf(verdictOn(antialiasing(0.7), {}, seed, true).finding), "") << seed;
@@ -71,8 +72,8 @@ TEST(AntialiasedPictures, AreNoExcuseForAFocalPlaneThatIsOffInASinglePicture) {
         EXPECT_EQ(idOf(verdictOn({}, plane, seed, true).finding), "dof.focal-distance") << seed;
 }
 
-// The square is found to a quarter of the search's first step, so that it leaves room for the
-// noise, whose z exceeds 4.5 with a chance below 1e-4 in each.
+// The search finds the square to a quarter of its first step. That leaves room for the noise, whose
+// z exceeds 4.5 with a chance below 1e-4 in each picture.
 TEST(AntialiasedPictures, LeaveRoomBetweenTwoSizesOfTheSearch) {
     for (const double spread : {0.55, 0.65, 0.74}) {
         const PictureVerdict verdict = verdictOn(antialiasing(spread, 0.5), {}, 12);
@@ -159,8 +160,8 @@ TEST(JudgeLens, WarnsOfAntialiasingThatOnlyPicturesShow) {
     EXPECT_NE(judgement.findings[0].message.find("the pictures are those"), std::string::npos);
 }
 
-/// Code without visible rays, whose focal points are off by up to 0.05 whatever the size of a
-/// pixel.
+/// Code without visible rays, whose focal points are off by up to 0.05 world units, however large
+/// a pixel is.
 class JitteredStudent final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {

@@ -1,4 +1,4 @@
-// T2.2 judged from answers: the reference, and what only another question shows.
+// T2.2 judged from whole runs: the reference, and mistakes that only a later question shows.
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/support/AlteredExaminee.h>
@@ -14,7 +14,8 @@
 namespace ticker::tasks {
 namespace {
 
-/// The reference; from the second run on the second picture of a run has one ray for each pixel.
+/// The reference, but from its second run on, the second picture of a run of two has one ray for
+/// each pixel.
 class ForgetsRays final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
@@ -31,8 +32,8 @@ private:
     int runs_ = 0;
 };
 
-/// The reference; from the given number of scenes on, each new one has another focal plane, in
-/// every run and whatever its settings are.
+/// The reference for the first `rightScenes` different scenes. All later scenes get another focal
+/// plane, in every run and whatever their settings are.
 class SceneDecides final : public probe::Examinee {
 public:
     explicit SceneDecides(std::size_t rightScenes) : rightScenes_(rightScenes) {}
@@ -82,8 +83,8 @@ TEST(JudgeLens, LooksAtTheNextPictureOfARun) {
               std::string::npos);
 }
 
-// The scenes in their order: the handout's settings, others, two threads, the picture before, and
-// the next one.
+// The questions in the order of their scenes: the handout's settings, other settings, two threads,
+// the picture before, and the next one.
 TEST(JudgeLens, AccusesNeitherThreadsNorSettingsNorMemoryWhereTheSceneDecides) {
     for (const std::size_t rightScenes : {1U, 2U, 4U}) {
         SceneDecides examinee{rightScenes};
@@ -95,7 +96,7 @@ TEST(JudgeLens, AccusesNeitherThreadsNorSettingsNorMemoryWhereTheSceneDecides) {
     }
 }
 
-/// The reference, of which every second pixel's rays are not visible.
+/// The reference; the rays of every second pixel are not visible.
 class HalfSeen final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {

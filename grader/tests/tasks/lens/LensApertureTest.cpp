@@ -11,9 +11,10 @@
 namespace ticker::tasks {
 namespace {
 
-constexpr double kAmount = 0.2;  // of the handout
+constexpr double kAmount = 0.2;  // dofAmount of the handout
 constexpr int kSide = 20;
-// 400 independent points: n r^(n-1) - (n-1) r^n = 1e-11, solved for 1 - r.
+// The share of the width that 400 independent points leave unused, or more, with a chance of 1e-11:
+// n r^(n-1) - (n-1) r^n = 1e-11 for n = 400, solved for 1 - r.
 constexpr double kShortfall = 0.06936778;
 
 /// A pixel with a ray from every point of a lattice of `side` x `side`, which `place` maps from

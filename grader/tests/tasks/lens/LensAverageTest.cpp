@@ -22,7 +22,8 @@ ColourRGB meanOf(const Values& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// Two pixels with these rays, each with a colour that `colourOf` computes from them.
+/// Two pixels whose rays have the values kBright and kCorner. `colourOf` computes the colour of a
+/// pixel from its values.
 template <typename ColourOf>
 std::optional<Finding> judgeAverageOf(const ColourOf& colourOf, int asked = 2) {
     LensByHand lens;
@@ -198,7 +199,8 @@ TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
         }
 }
 
-// Rounding takes nothing out of the range: one channel differs, the two others are the same.
+// In two channels both rays have the same value, so the colour may only be that value: rounding
+// must not make it fall outside.
 TEST(Average, WeighsItsRaysUnevenlyWhereAChannelIsTheSameInAll) {
     for (const ColourRGB& channel :
          {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}}) {

@@ -10,7 +10,7 @@ namespace {
 
 const double kPlane = raytracer::RenderSettings{}.dofFocalPlane;
 
-/// Two pixels whose rays start at the corners of the lens and go to `target(focal point)`.
+/// Two pixels whose rays start at the corners of the lens and go to `target(focal point, origin)`.
 template <typename Target>
 std::optional<Finding> judgeFocusOf(const Target& target) {
     LensByHand lens;
@@ -85,7 +85,7 @@ TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
     EXPECT_EQ(numberIn(*parallel, "meetingZ"), 0.0);
     const auto passing = [](double distance) {
         LensByHand lens;
-        // One ray above the other: the nearest point lies half-way between.
+        // One ray passes above the other: the point nearest to both lies half-way between them.
         lens.pixel().rays = {rayThrough({-0.2, distance, 0.0}, {0.0, distance, 4.0}),
                              rayThrough({0.2, -distance, 0.0}, {0.0, -distance, 4.0})};
         return checkFocus(lens.log);

@@ -10,10 +10,11 @@
 namespace ticker::tasks {
 namespace {
 
-constexpr double kLensAmount = 0.2;  // of the handout
+constexpr double kLensAmount = 0.2;  // dofAmount of the handout
 
-/// Two pixels with the same grid of 8 x 8 points, each cell's at (`inX`, `inY`) of it.
-/// @param rays  Of each pixel, row by row.
+/// Two pixels with the same grid of 8 x 8 cells, each with a point at (`inX`, `inY`) of the cell:
+/// 0.5 is its middle.
+/// @param rays  How many rays each pixel has; they fill the grid row by row.
 std::optional<Finding> judgeGrid(double inX, double inY, int rays = 64) {
     constexpr int kCells = 8;
     LensByHand lens;

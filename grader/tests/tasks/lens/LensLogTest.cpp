@@ -11,7 +11,7 @@ using probe::Event;
 const ColourRGB kBackground{0.001};
 const ColourRGB kAmbient{2.0, 3.0, 4.0};
 
-/// A frame of one pixel with two rays; its scene is a ball on the right.
+/// A frame of one pixel that asks for two rays; its scene is a ball on the right.
 struct OnePixel {
     probe::RenderQuestion question;
     probe::RenderAnswer answer;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRays = 64;
 
-// How many random rays through the lens hit something.
+// How many of kRays random rays through the lens hit something.
 int hitsOf(const raytracer::Scene& scene, const Vector3& focus, double halfWidth,
            std::mt19937& engine) {
     std::uniform_real_distribution<double> side{-halfWidth, halfWidth};
@@ -47,8 +47,8 @@ void expectBoth(const probe::RenderQuestion& question, double halfWidth, std::mt
     EXPECT_GE(whole, 1);
 }
 
-// A mean without the misses shows only here. A pixel for which a fifth of the lens sees nothing
-// looks whole to 64 rays with a chance of 1e-6.
+// Only a pixel with hits and misses shows that a mean leaves the misses out. A pixel for which a
+// fifth of the lens sees nothing looks whole to 64 rays with a chance of 1e-6.
 TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
     std::mt19937 engine{22};
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -60,14 +60,16 @@ TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
     }
 }
 
-// How far what a direction shows lies from the focal plane; 0 if it shows nothing.
+// The distance in z between the surface that a direction shows and the focal plane; 0 if it shows
+// nothing.
 double depthBesideFocus(const probe::RenderQuestion& question, const Vector3& direction) {
     const auto hit =
         raytracer::Scene{question.scene}.findClosestIntersection({Vector3{}, direction});
     return hit ? std::abs(hit->location.z - question.settings.dofFocalPlane) : 0.0;
 }
 
-// Code that focuses on what the centre of the picture shows is right where that is sharp anyway.
+// Code that focuses on the surface in the centre of the picture is right if that surface lies in
+// the focal plane anyway.
 TEST(LensQuestions, ShowSomethingBesideTheFocalPlaneInTheCentre) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE(seed);
@@ -82,7 +84,7 @@ TEST(LensQuestions, ShowSomethingBesideTheFocalPlaneInTheCentre) {
     }
 }
 
-// Code that spares the lens where a pixel shows what is nearly sharp is right if nothing is.
+// Code that skips the lens for pixels that are nearly sharp is right if no pixel is.
 TEST(LensQuestions, ShowSomethingNearTheFocalPlane) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const LensQuestions asked = drawLensQuestions(seed);
@@ -137,7 +139,8 @@ TEST(MixedRenders, HaveEachKindOfSceneAndSizeUnderEverySeed) {
     }
 }
 
-// Code that spares the lens where a pixel is sharp is right if no surface is near enough.
+// Code that skips the lens for pixels that are sharp is right if no surface is near enough to the
+// focal plane.
 TEST(MixedRenders, FocusOnASurfaceInTheLast) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const probe::RenderQuestion asked = drawMixedRenders(seed).back();

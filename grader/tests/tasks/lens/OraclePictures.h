@@ -9,7 +9,7 @@
 
 namespace ticker::tasks {
 
-/// The answer of code that reads the handout so and makes this mistake, drawn by the oracle.
+/// The answer of code with this reading of the handout and this mistake, drawn by the oracle.
 inline probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uint64_t seed,
                                     const oracle::Mistake& mistake = {},
                                     const oracle::Reading& reading = {}) {
@@ -29,7 +29,7 @@ inline probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uin
     return answer;
 }
 
-/// Judges a question that is asked once.
+/// Judges one answer, with expectations that are computed for it alone.
 inline PictureVerdict judgePictures(const probe::RenderQuestion& asked,
                                     const probe::RenderAnswer& answer, std::uint64_t seed) {
     Expectations expectations{asked, seed};

@@ -1,4 +1,4 @@
-// Bounds of the judgement of pictures, with pictures that are the expected one and a known change.
+// Bounds of the judgement of pictures: each picture is the expected one plus a known change.
 #include <grader/tasks/lens/answers/Pictures.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
@@ -67,7 +67,6 @@ TEST(JudgePictures, AcceptsTheExpectedPicture) {
     EXPECT_EQ(verdict.reading.apertureFactor, 1.0);
 }
 
-// The reading that fits less badly is named; no noise of shared lens points is 14 deviations wide.
 TEST(JudgePictures, NamesABrightnessThatExplainsNearlyAll) {
     for (const double factor : {0.5, 2.0}) {
         const PictureVerdict verdict = judgeScaled(factor);
@@ -75,6 +74,8 @@ TEST(JudgePictures, NamesABrightnessThatExplainsNearlyAll) {
     }
 }
 
+// The reading that fits least badly is named. The noise of shared lens points never has a width of
+// 14 deviations.
 TEST(JudgePictures, FailsWhatIsFarFromEveryReading) {
     const PictureVerdict verdict =
         judgeChanged(true, [](std::size_t pixel, int repetition, double deviation) {
@@ -85,7 +86,8 @@ TEST(JudgePictures, FailsWhatIsFarFromEveryReading) {
     EXPECT_EQ(verdict.reading.apertureFactor, 1.0);
 }
 
-// Means are right; between the pictures the whole brightness changes.
+// The means are right. From one picture to the next each pixel changes by the same number of
+// standard deviations, every other pixel in the opposite direction.
 TEST(JudgePictures, TellsPicturesThatChangeAsAWholeFromNoisyOnes) {
     const auto shared = [](double times) {
         return judgeChanged(false, [=](std::size_t pixel, int repetition, double deviation) {

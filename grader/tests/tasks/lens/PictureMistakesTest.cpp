@@ -87,7 +87,7 @@ TEST(TryAll, NeglectsATwentiethOfAMistake) {
     }
 }
 
-// Brightness by a factor has the same shape whatever the factor.
+// The change that a factor of the brightness makes has the same shape for all factors.
 TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
     const auto scaledBy = [](double factor) {
         PictureMistake mistake = pictureMistakes({}).at(9);

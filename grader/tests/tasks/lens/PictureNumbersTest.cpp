@@ -1,4 +1,4 @@
-// Numbers of the judgement of pictures, by hand for pictures of a few pixels.
+// The numbers behind the judgement of pictures, worked out by hand for pictures of a few pixels.
 #include <grader/tasks/lens/answers/Pictures.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Smallest variance of a pixel, see Pictures.cpp.
+// Smallest variance of a pixel, see varianceFloor in Pictures.cpp.
 constexpr double kFloor = 3.0 / 4096 * 0.25 / 50.0;
 
 /// Three renders of two pixels, of means 2 and 4 and variances 1 and 4.

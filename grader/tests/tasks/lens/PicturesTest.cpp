@@ -12,8 +12,8 @@
 namespace ticker::tasks {
 namespace {
 
-// With these seeds some pixels show an object to one lens ray in thousands: an oracle that misses
-// it takes the pixel for one without noise. The largest statistic of a stage exceeds 0.8 of its
+// With these seeds some pixels show an object to one lens ray in thousands. An oracle that misses
+// the object expects no noise there. The largest statistic of a stage exceeds 0.8 of its
 // limit with a chance of about 1e-4.
 TEST(Pictures, GiveAPixelThatSeldomSeesSomethingItsNoise) {
     for (const std::uint64_t seed : {4U, 21U, 52U}) {
@@ -46,8 +46,7 @@ TEST(Pictures, JudgeMirroredRaysThatLeaveTowardsTheEye) {
     EXPECT_TRUE(judgePictures(asked, answerOf(halfBlind, 8), 5).finding);
 }
 
-// Fifty lens points that all pixels of a picture share: each picture is the mean of fifty sharp
-// ones.
+// All pixels of a picture share fifty lens points: each picture is the mean of fifty sharp ones.
 probe::RenderAnswer sharedAnswerOf(const probe::RenderQuestion& asked, std::uint64_t seed) {
     oracle::Mistake shared;
     shared.lensSharedByFrame = true;
