@@ -18,14 +18,14 @@ namespace ticker::tasks {
 using maintick::meet;
 using raytracer::Vector3;
 using Asked = probe::HitQuestion;
-/// Changes the right answer to a ray.
+/// Changes the right hit of a ray.
 using Change = std::function<void(probe::Hit&, const Asked&, const probe::CastRay&)>;
 
 inline bool isLong(const probe::CastRay& ray) {
     return ray.direction.magnitude() > 2.0;
 }
 
-/// Answers rightly but for what `change` makes of it.
+/// Gives the right hits, each changed by `change`.
 class AltersHits final : public probe::Examinee {
 public:
     explicit AltersHits(Change change) : change_(std::move(change)) {}

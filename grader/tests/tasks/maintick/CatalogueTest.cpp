@@ -38,8 +38,8 @@ void expectJudgedAsTheySay(const std::vector<corpus::Entry>& entries, std::uint6
         EXPECT_TRUE(row.asExpected) << row.entry.name << ", seed " << seed << ": " << row.seen;
 }
 
-// Two threads meet at every ray of four pictures: in 8 runs on a loaded machine 296 or more of 768
-// pixels differed, and one is enough.
+// Two threads share the variable at every ray of four pictures. In 8 runs on a loaded machine 296
+// or more of 768 pixels differed, and one is enough.
 TEST(MainTickCatalogue, FindsVariablesThatThreadsShare) {
     const auto entries =
         entriesOf("mistakes", {"M2/static-sum", "M3.2/static-path", "M4/static-mirrored-ray"});
@@ -63,7 +63,8 @@ TEST(MainTickCatalogue, AnEntryMayBeWholeFilesOfWhichTheTasksOwnIsJudged) {
     expectJudgedAsTheySay(entriesOf("unseen", {"M4/highlights-from-first-viewer"}), 1);
 }
 
-/// Judges each entry's own task under the first seeds; a twelfth of them if this is no slow run.
+/// Judges each entry's own task under the seeds below `seeds`, or under a twelfth of them if this
+/// is not a slow run.
 void expectUnderSeeds(std::uint64_t seeds, const std::vector<corpus::Entry>& entries,
                       TaskState state) {
     const build::Kit kit = build::Kit::besideProgram(mainTick());

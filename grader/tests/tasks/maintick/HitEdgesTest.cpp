@@ -8,7 +8,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Single precision is right there; see JudgePlanes.cpp and JudgeSpheres.cpp.
+// Single precision must be right at these distances; see JudgePlanes.cpp and JudgeSpheres.cpp.
 TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
     const auto farthestOf = [](auto judge) {
         double farthest = 0.0;
@@ -23,7 +23,7 @@ TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
     }
 }
 
-// Mirrors and lights look there, too.
+// Mirrored rays and shadow rays meet objects behind the camera, too.
 TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
     const Change dropped = [](probe::Hit& hit, const Asked&, const probe::CastRay&) {
         if (hit.location.z < 0.0) hit.isHit = false;
@@ -35,7 +35,8 @@ TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
     }
 }
 
-// Such rays may be taken for parallel ones, and a division by a coordinate fails there alone.
+// Code may take such rays for parallel ones, and a division by a coordinate of the direction fails
+// only for them.
 TEST(JudgeHits, AsksLevelRaysAndThoseAlongAnAxisUnderEverySeed) {
     const auto stillMisses = [](bool x, bool y, bool z) -> Change {
         return [=](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
@@ -54,7 +55,8 @@ TEST(JudgeHits, AsksLevelRaysAndThoseAlongAnAxisUnderEverySeed) {
         }
 }
 
-// A picture shows the horizon of a floor there; a tolerance of a row's height is right.
+// Such rays show a floor's horizon in a picture. A tolerance as small as the height of a row of
+// pixels is right.
 TEST(JudgeHits, AsksNearlyParallelRaysUnderEverySeed) {
     const auto parallelBelow = [](double limit) {
         return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
@@ -106,7 +108,7 @@ TEST(JudgeHits, AsksJustPastTheFarSideUnderEverySeed) {
     }
 }
 
-// A limit of what is near shows only there, and small limits are right readings.
+// A lower limit of the distance shows only there. Small limits are right readings.
 TEST(JudgeHits, AsksTwoThousandthsAwayUnderEverySeed) {
     const auto from = [](double limit) {
         return [=](probe::Hit& hit, const Asked&, const probe::CastRay&) {
@@ -123,7 +125,8 @@ TEST(JudgeHits, AsksTwoThousandthsAwayUnderEverySeed) {
     }
 }
 
-// A limit that grows with the radius shows at a large sphere alone, for each side of it.
+// A limit that grows with the radius shows only at a large sphere. Rays start on either side of its
+// surface.
 TEST(JudgeHits, AsksNearTheSurfaceOfALargeSphereUnderEverySeed) {
     constexpr double kShare = 5e-4;  // 0.1 of the large one, 0.0012 of the others
     const auto radiusOf = [](const Asked& asked, const probe::CastRay& ray) {
@@ -173,7 +176,8 @@ TEST(JudgeHits, AsksThroughTheMiddleOfASmallSphereUnderEverySeed) {
     }
 }
 
-// As code with another formula for floors or walls, which is right on the axis alone.
+// Simulates code with a formula of its own for floors and walls. The formula is right only where
+// the normal lies along an axis.
 TEST(JudgeHits, AsksOfPlanesThatLeanFromEachAxisUnderEverySeed) {
     constexpr double kAlmost = 0.999;
     for (const auto coordinate : {&Vector3::x, &Vector3::y, &Vector3::z})

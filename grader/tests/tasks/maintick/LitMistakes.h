@@ -7,7 +7,7 @@
 
 namespace ticker::tasks::maintick {
 
-/// The rows of phongMistakes() in their order, after the right way.
+/// `none` is the right way; the others are the rows of phongMistakes(), in their order.
 enum class LitMistake : std::size_t {
     none,
     flat,

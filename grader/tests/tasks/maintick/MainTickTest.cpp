@@ -96,7 +96,7 @@ TEST(MainTickQuestions, HaveLightsBehindTheSurfaceBeforeOnesInFront) {
     }
 }
 
-// Limits of alpha, of coefficients and of the number of lights show only beyond them.
+// Code that limits alpha, the coefficients or the number of lights shows only beyond its limit.
 TEST(MainTickQuestions, AskOfShinySurfacesStrongCoefficientsAndManyLights) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const auto asked = drawLitQuestions(seed);
@@ -123,7 +123,7 @@ TEST(MainTickQuestions, AskOfShinySurfacesStrongCoefficientsAndManyLights) {
     }
 }
 
-// The worst that float makes of R.V, and a power that is multiplied out in float.
+// The largest error of R.V in float, and a power that a loop multiplies out in float.
 TEST(MainTickQuestions, LetHighlightsOfShinySurfacesBeWorkedOutInFloat) {
     constexpr double kErrorOfFloats = 4e-7;
     int shiny = 0;
@@ -169,7 +169,8 @@ TEST(MainTickQuestions, SetEveryKnownMistakeOfMirrorsFarApart) {
     }
 }
 
-// No question is random for right code: a failure under one seed is a question too near its edge.
+// Right code draws nothing at random: if it fails under one seed, a question is too near the edge
+// of what is right.
 TEST(MainTickQuestions, NeverFailTheReference) {
     const Exercise& exercise = exerciseNamed("tick1");
     const build::Kit kit = build::Kit::besideProgram(exercise);

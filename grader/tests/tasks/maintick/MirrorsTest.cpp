@@ -23,7 +23,7 @@ constexpr std::uint64_t kMirrorSeed = 2;
 /// What the examinee does with mirrors.
 struct Mirrors {
     maintick::TraceWay way = {};
-    double bias = -1.0;      ///< of one logged ray; negative: no log
+    double bias = -1.0;      ///< of the one ray that is logged; negative: no log
     double facing = 1.0;     ///< factor of the last colour of two mirrors that face each other
     double direct = 1.0;     ///< factor of what trace gives of all surfaces
     int deepest = 1000;      ///< most bounces between mirrors that face each other
@@ -143,7 +143,7 @@ TEST(JudgeMirrors, FollowsUpToFortyReflections) {
 TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
     EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way}), "mirror.none");
     for (const maintick::TraceMistake& mistake : maintick::traceMistakes()) {
-        // Rays into the surface show what no mirror shows; the log tells them apart.
+        // Rays into the surface give the same colours as no mirrors; only the log tells them apart.
         const std::string id = mirrorIds({.way = mistake.way});
         if (id != "mirror.none") {
             EXPECT_EQ(id, mistake.finding->id) << mistake.hint;
@@ -151,7 +151,7 @@ TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
     }
 }
 
-// Whatever a limit of the depth leaves at its end: it shows under every seed.
+// A limit of the depth shows under every seed, whatever the code returns where it ends.
 TEST(MirrorQuestions, SetEveryLimitOfTheDepthFarApart) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const MirrorQuestion asked = maintick::drawDeepMirrors(seed);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kCheckSeeds = 40;
 
-/// Right answers but for the points that a condition picks, which are changed.
+/// Changes the scene of a question about a point, as code with a condition would see it.
 using Change = std::function<void(raytracer::SceneDescription&, const probe::LitPoint&)>;
 
 std::vector<probe::Answer> answersTo(std::vector<probe::Question> questions,
@@ -52,7 +52,8 @@ TEST(MixedChecks, FindNothingInRightAnswers) {
     }
 }
 
-/// Under every seed it is found by this name, and under most of them the hint says where it is.
+/// Expects this finding under every seed, and under at least half of them a hint with the trait
+/// that the wrong points share.
 void expectTold(const std::function<std::optional<Finding>(std::uint64_t)>& judge,
                 const std::string& id, const std::string& trait) {
     std::uint64_t told = 0;
@@ -89,7 +90,8 @@ TEST(MixedChecks, CountMistakesOfM2NotAgainInM32) {
         })) << seed;
 }
 
-// Whether it is right alone says whose mistake a light is that is lost among other objects.
+// If a light is lost only among other objects, the scene alone, without them, is right. The mistake
+// is then one of M3.2, not of M2.
 TEST(MixedChecks, LeaveLightsThatAreLostInTheSceneAloneToM32) {
     const Change lost = [](auto& scene, const probe::LitPoint&) {
         if (scene.spheres.size() + scene.planes.size() > 1 && !scene.pointLights.empty())
@@ -101,7 +103,7 @@ TEST(MixedChecks, LeaveLightsThatAreLostInTheSceneAloneToM32) {
     }
 }
 
-/// Objects of reflectivity 1 are taken away.
+/// Takes all objects of reflectivity 1 out of the way, except the point's own.
 void takeWholeMirrors(raytracer::SceneDescription& scene, const probe::LitPoint& at) {
     int object = 0;
     const auto isTaken = [&](const raytracer::Material& material) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMixedMirrorSeeds = 300;
 
-// However a mirrored ray starts, up to a bias of a thousandth.
+// Mirrored rays may start with any bias up to a thousandth, along the normal or along the ray.
 TEST(MixedMirrors, KeepTheirChainsAndTheirLightWhereverMirroredRaysStart) {
     for (std::uint64_t seed = 0; seed < kMixedMirrorSeeds; ++seed)
         for (const MixedMirror& mirror : drawMixedMirrors(seed)) {

@@ -104,7 +104,8 @@ TEST(MixedPoints, AreRightInSinglePrecision) {
                 << seed << words(phong(point.alone)) << words(phongInFloats(point.alone));
 }
 
-/// Whether the way to the light is free, and what lies beyond, wherever a shadow ray starts.
+/// Whether no object lies on the line to the light or beyond it, wherever a shadow ray starts, and
+/// a ray from the light meets the point first.
 bool isFree(const MixedPoint& point, const PointLight& light) {
     const Vector3 L = towards(point.alone, light);
     const Vector3& P = point.alone.P;
@@ -128,7 +129,7 @@ TEST(MixedPoints, LieOnTheirObjectWithAllLightsFree) {
         }
 }
 
-/// How many of the seed's points are like this.
+/// Expects that at least `least` points of each seed fit.
 template <class Fits>
 void expectAtLeast(int least, const char* what, const Fits& fits) {
     for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed) {
@@ -167,7 +168,7 @@ TEST(MixedPoints, HaveEachExtremeUnderEverySeed) {
     });
 }
 
-/// What code with a condition on one attribute might leave out.
+/// What code with a condition on some attribute of a scene might leave out.
 enum class Lost : std::uint8_t { ambient, diffuse, highlight, lights };
 
 LitSetup without(Lost lost, LitSetup setup) {
@@ -179,6 +180,8 @@ LitSetup without(Lost lost, LitSetup setup) {
     return setup;
 }
 
+/// Expects under every seed a point where `holds` and whose colour changes clearly without the lost
+/// part, for each of `all`.
 template <class Holds>
 void expectShown(const char* what, std::initializer_list<Lost> all, const Holds& holds) {
     for (const Lost lost : all) {

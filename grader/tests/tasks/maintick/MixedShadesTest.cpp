@@ -24,7 +24,8 @@ const std::vector<MixedShade>& shadesOf(std::uint64_t seed) {
     return kDrawn.at(seed);
 }
 
-/// Whether a shadow ray that starts like this says what it should, and no hit is near the light.
+/// Expects that a shadow ray that starts at P + `up` is blocked exactly if the light is hidden, and
+/// that its hit is near neither the light nor its start.
 void expectTold(const MixedShade& shade, const Way& way, const Vector3& up) {
     constexpr double kOffEdge = 0.01;
     const LitSetup& alone = shade.point.alone;
@@ -37,7 +38,7 @@ void expectTold(const MixedShade& shade, const Way& way, const Vector3& up) {
     EXPECT_GT(hit->meeting.distance, kOffEdge);
 }
 
-// However the shadow ray starts, up to a bias of a thousandth.
+// Shadow rays may start with any bias up to a thousandth, along the normal or towards the light.
 TEST(MixedShades, KeepTheirShadowsOffTheirEdges) {
     for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed)
         for (const MixedShade& shade : shadesOf(seed)) {
@@ -63,7 +64,7 @@ TEST(MixedShades, AreRightAloneWithoutTheHiddenLights) {
         }
 }
 
-/// How many hidden lights of the seed would show if they arrived, and fit.
+/// How many hidden lights of the seed fit and would change the colour clearly if they arrived.
 template <class Fits>
 int hiddenThat(std::uint64_t seed, const Fits& fits) {
     int count = 0;
@@ -102,7 +103,8 @@ TEST(MixedShades, HideLightsByEachKindOfObjectUnderEverySeed) {
     }
 }
 
-/// Code that casts no shadow on a condition shows if one hidden light fits it.
+/// Expects under every seed a hidden light for which `holds`: code that casts no shadow on this
+/// condition shows there.
 template <class Holds>
 void expectShown(const char* what, const Holds& holds) {
     int unseen = 0;

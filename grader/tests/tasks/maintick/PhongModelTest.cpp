@@ -179,7 +179,7 @@ TEST(PhongModel, CutsCoefficientsAboveOneAlone) {
                 {LitMistake::specularShareAtMostOne, kAmbientPart, diffuse, kSpecularPart / 0.75}});
 }
 
-// Less than 1/255 is added: of 0.0038 nothing is left, of 0.0041 all.
+// The mistake leaves out light that adds less than 1/255: all of 0.0038, nothing of 0.0041.
 TEST(PhongModel, LeavesOutFaintLightsAlone) {
     for (const double added : {0.0038, 0.0041}) {
         LitSetup setup = litByHand();
@@ -195,7 +195,8 @@ TEST(PhongModel, LeavesOutFaintLightsAlone) {
 TEST(PhongModel, GivesEveryWrongFalloffItsShare) {
     using enum LitMistake;
     const double both = kDiffusePart + kSpecularPart;
-    // I = 2 is 16 / 4 / 2: divided by the square of the distance 2.
+    // I = 2 is 16 / 4 / 2: the intensity 64 pi over 4 pi, over the square of the distance 2, times
+    // the colour 0.5.
     expectWorked(litByHand(), {{falloffMissing, kAmbientPart, both * 4.0, 0.0},
                                {intensityAlone, kAmbientPart, both * 16.0 * std::numbers::pi, 0.0},
                                {falloffLinear, kAmbientPart, both * 2.0, 0.0},
@@ -242,7 +243,7 @@ TEST(PhongModel, LosesTheLightsAfterOneThatEndsTheLoop) {
         setup.scene.pointLights.emplace_back(kP + way, ColourRGB{0.5}, 4.0 * std::numbers::pi);
         return setup;
     };
-    // The first light behind: N.L = -0.6, R.V = -0.8. The second is in front of the viewer's side.
+    // The first light is behind: N.L = -0.6, R.V = -0.8. The second is in front, as the viewer is.
     expectWorked(withSecondAlong(litByHand(-kUp, -kTowardsViewer), -kUp),
                  {{none, kAmbientPart, kDiffuseAbove, kSpecularAbove},
                   {endsAtLightBehind, kAmbientPart, 0.0, 0.0},

@@ -49,7 +49,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {5.0, kPasses, -4.0},         // from the front, behind as well
         {kPasses, 5.0, 4.0},          // |D.N|
         {4.0, 4.0, kPasses},          // the height above the plane
-        {kPasses, 21.25, kPasses},    // the first plane's point and normal,
+        {kPasses, 21.25, kPasses},    // Q.N of the first plane,
         {8.75, 1.25, kPasses},        // or its point alone
         {5.0, 5.0, kPasses},          // nothing behind the camera
         {5.0, 5.0, kPasses},          // a limit of what is far,

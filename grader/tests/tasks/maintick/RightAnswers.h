@@ -10,7 +10,7 @@
 
 namespace ticker::tasks {
 
-/// What right code says of points, shadows included.
+/// The answer of right code to a question about points, shadows included.
 [[nodiscard]] inline probe::Answer rightAnswer(const probe::IlluminateQuestion& asked) {
     probe::IlluminateAnswer answer;
     answer.state = probe::AnswerState::answered;
@@ -33,7 +33,7 @@ namespace ticker::tasks {
     return own * (1.0 - share) + tracedRightly(scene, next, bounces - 1) * share;
 }
 
-/// What right code says of rays.
+/// The answer of right code to a question about rays.
 [[nodiscard]] inline probe::Answer rightAnswer(const probe::TraceQuestion& asked) {
     probe::IlluminateAnswer answer;
     answer.state = probe::AnswerState::answered;

@@ -10,7 +10,7 @@
 namespace ticker::tasks::maintick {
 namespace {
 
-constexpr double kSlack = 1e-3;  ///< of the largest bias
+constexpr double kSlack = 1e-3;  ///< the largest bias of a right shadow ray
 
 Vector3 lightOf(const LitSetup& setup) {
     return setup.scene.pointLights.at(0).position();
@@ -22,7 +22,8 @@ std::optional<Meeting> meetOwn(const ShadeCase& shade, const LitSetup& setup, co
                              : meet(setup.scene.planes.at(0), ray);
 }
 
-/// How much nearer than P something is that a ray from the light meets; negative: further away.
+/// How much nearer to the light than P the first hit of a ray from the light is; negative: P is
+/// nearer.
 double beforeP(const ShadeCase& shade, const LitSetup& setup) {
     const Vector3 way = setup.P - lightOf(setup);
     const Ray ray{lightOf(setup), way.normalised()};
@@ -47,7 +48,8 @@ TEST(ShadeCases, LieOnTheirObjectWhereTheLightMeetsItFirst) {
         }
 }
 
-// What a ray meets that starts at P itself depends on the way P was rounded, and renders have both.
+// Whether a ray from P itself meets its own surface depends on how P was rounded. Renders have
+// points of both kinds.
 TEST(ShadeCases, LieBelowTheirSurfaceAsOftenAsAbove) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         std::size_t sunk = 0;
@@ -94,7 +96,8 @@ TEST(ShadeCases, HaveSpheresAroundEitherEndAndLightThatGrazes) {
     }
 }
 
-// A share of a far light's distance is large there, and its light counts.
+// For a far light, a tolerance that is a share of the distance is large, and the light still
+// counts.
 TEST(ShadeCases, HaveSomethingAtEitherEndOfTheWayToAFarLight) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         int far = 0;

@@ -28,16 +28,16 @@ inline constexpr std::size_t kQuestionsEach = 7;
 
 struct Habits {
     probe::Event
-        event{};  ///< of each place; `a` from the point, `b` is added to the way to the light
-    double towardsLight = 1.0;  ///< times that way, of length 1
-    double alongNormal = 0.0;   ///< added to `a`, times the normal
+        event{};  ///< of each place; `a` relative to the point, `b` added to the way to the light
+    double towardsLight = 1.0;  ///< factor of that way, which has length 1
+    double alongNormal = 0.0;   ///< times the normal, added to `a`
     bool isFromLight = false;   ///< from the light to the point, whatever `event` says
-    bool leaks = false;         ///< lit, if hidden, where the point is below its surface
-    double lowest = -1.0;       ///< of N.L: lights below add nothing, whatever is around
+    bool leaks = false;         ///< hidden points below their surface are lit
+    double lowest = -1.0;       ///< least N.L of lights that count, whatever stands around
 };
 
-/// Lights points as the handout does, and answers about places with other things around them by a
-/// table; what the table leaves out is right, and so is what comes after these places.
+/// Lights points as the handout does. The shade cases look as a table says; cases that the table
+/// leaves out are right, and so are all questions after the shade cases.
 class ShadesByTable final : public probe::Examinee {
 public:
     ShadesByTable(std::uint64_t seed, Looks looks, const Habits& habits)

@@ -70,8 +70,8 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {5.0, 1.0, kMiss, kMiss},      // no root at all,
         {5.0, 1.0, kMiss, kMiss},      // or none for the near side
         {13.0, 9.0, 4.0, kMiss},       // the discriminant itself, 16
-        {9.0, 9.0, kMiss, kMiss},      // squared
-        {3.0, 7.0, kMiss, kMiss},      // of the location, from the world's origin
+        {9.0, 9.0, kMiss, kMiss},      // s squared
+        {3.0, 7.0, kMiss, kMiss},      // the location's, from the world's origin
         {4.0, 2.0, kMiss, kMiss},      // the first radius
         {3.0, 3.0, kMiss, kMiss},      // nothing nearer than 1
         {3.0, 3.0, kMiss, kMiss},      // nothing behind the camera

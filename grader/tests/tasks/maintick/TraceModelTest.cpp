@@ -8,7 +8,7 @@
 namespace ticker::tasks::maintick {
 namespace {
 
-/// The rows of traceMistakes() in their order, after the right way and that without mirrors.
+/// The right way, the way without mirrors, and the rows of traceMistakes() in their order.
 enum class Way : std::size_t {
     right,
     noMirror,
