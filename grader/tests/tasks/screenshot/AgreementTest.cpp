@@ -22,8 +22,8 @@ Picture noisy(double deviation, std::uint64_t seed, double more = 0.0) {
     return picture;
 }
 
-// 300 pairs, each with a chance below 5e-4 by a conservative bound: more than one fails with a
-// chance below 0.01.
+// 300 pairs, of which each fails with a chance below 5e-4 by a conservative bound: more than one
+// fails with a chance of 0.0102 at most.
 TEST(Agreement, HoldsForHonestNoiseOfAnyStrength) {
     int failed = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed)

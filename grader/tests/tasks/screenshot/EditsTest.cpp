@@ -18,7 +18,7 @@ const Picture& photo() {
     return picture;
 }
 
-/// A scene that resembles the photograph.
+/// A scene whose own render is the photograph.
 Scene scene() {
     Scene scene;
     scene.own = photo().view();
@@ -101,7 +101,7 @@ TEST(FindRecolouring, SaysInWordsWhatWasDone) {
               "it is a negative");
     EXPECT_EQ(wordsFor(selftest::recoloured(photo().view(), [](double v, int) { return 0.7 * v; })),
               "its colours or its brightness were changed");
-    // Almost grey, with one slightly stronger channel.
+    // Grey but for the red channel, which has half of the contrast.
     Picture almost = selftest::inGrey(photo().view());
     for (std::size_t i = 0; i < almost.rgb.size(); i += 3)
         almost.rgb[i] = static_cast<std::uint8_t>(almost.rgb[i] / 2 + 100);

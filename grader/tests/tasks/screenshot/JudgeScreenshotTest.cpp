@@ -29,7 +29,7 @@ const std::vector<SpecScene>& scenes() {
     return read;
 }
 
-/// The oracle with the handout's reading, on either option.
+/// A student of either option whose code is the oracle with the handout's reading.
 class Honest {
 public:
     explicit Honest(bool isDeterministic)
@@ -46,7 +46,7 @@ private:
     ScreenshotStudent student_;
 };
 
-/// Hands all questions on, and keeps them.
+/// Hands all questions on, and keeps them encoded.
 class Listening : public probe::Examinee {
 public:
     explicit Listening(probe::Examinee& asked) : asked_(asked) {}
@@ -82,8 +82,8 @@ TEST(JudgeScreenshot, PassesHonestPicturesWithoutAWord) {
     }
 }
 
-// The pipeline asks them ahead, in the run that draws the submission's own pictures. If they
-// differed, that run's answers would lie unused, and only the time would show it.
+// The pipeline asks these questions ahead, in the run that draws the submission's own pictures. If
+// the judge asked others, the answers of that run would go unused, and only the time would show it.
 TEST(JudgeScreenshot, BeginsWithItsFirstQuestions) {
     constexpr int kWidth = 320;
     for (const bool isDeterministic : {true, false}) {
@@ -140,7 +140,7 @@ TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
     EXPECT_EQ(evidence(judgement, "looksLike"), "bump.inverted-u");
 }
 
-/// A scene of option 1, rendered by students who have solved option 2 as well.
+/// A scene of option 1, rendered through the lens by students who have solved option 2 as well.
 Picture throughTheLens(std::size_t scene) {
     OracleExaminee both{{}, {}, false};
     return ScreenshotStudent{scenes(), true, both}.render(scenes()[scene], 320, 240, kSeed);
@@ -259,7 +259,7 @@ TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
     EXPECT_FALSE(judgement.needsReview);
 }
 
-/// When asked for parts of the frame, the machine has no memory left for the sandbox.
+/// The sandbox finds no memory on the machine when it is asked for parts of the frame.
 class Unstartable final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
@@ -281,8 +281,7 @@ TEST(JudgeScreenshot, SaysNothingAboutThePictureWhereWeFailed) {
     EXPECT_TRUE(judgement.findings.empty());
 }
 
-/// Every picture is a little brighter or darker than the last: one pattern of points for all
-/// pixels.
+/// The lens moves a little from run to run, as where all pixels share one pattern of lens points.
 class OnePattern final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {

@@ -45,7 +45,8 @@ private:
     Change change_;
 };
 
-// The program's --region is for trials; the picture that is handed in is whole.
+// Students use the program's --region for trials only; the picture that they hand in is a whole
+// frame.
 constexpr WrongParts::Change kWrongParts[] = {
     [](raytracer::RenderSettings& s) {  // the corner is added twice
         s.region.x *= 2;

@@ -17,7 +17,7 @@ Picture grey() {
     return {200, 150, std::vector<std::uint8_t>(std::size_t{3} * 200 * 150, 100)};
 }
 
-/// Changes one tile's channel.
+/// Adds `by` to one channel of one tile.
 void change(Picture& picture, int column, int row, std::size_t channel, int by) {
     for (int y = 10 * row; y < 10 * row + 10; ++y)
         for (int x = 10 * column; x < 10 * column + 10; ++x) {

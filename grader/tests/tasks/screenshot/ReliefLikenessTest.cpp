@@ -14,7 +14,7 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// A ball with waves of this height round it.
+/// A ball whose height map has waves of this height.
 raytracer::SceneDescription wavyBall(double height) {
     std::vector<double> heights;
     for (int row = 0; row < 64; ++row)
@@ -43,7 +43,7 @@ Picture pictureOf(const raytracer::SceneDescription& description) {
     return picture;
 }
 
-/// How a picture of waves of one height resembles code that draws another.
+/// How much a picture of waves of height `seen` resembles one of code that draws height `own`.
 Relief reliefBetween(double seen, double own) {
     const raytracer::SceneDescription description = wavyBall(0.4);
     const Picture ownPicture = pictureOf(wavyBall(own));

@@ -21,7 +21,7 @@ double noise(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     return static_cast<double>(mixed >> 11U) * 0x1p-53;
 }
 
-/// Everything on which a pixel of a render depends.
+/// Everything on which a pixel of a render may depend.
 struct Pixel {
     std::uint64_t run;
     std::uint64_t question;  ///< within the run

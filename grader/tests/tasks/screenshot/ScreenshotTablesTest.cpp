@@ -10,8 +10,8 @@
 namespace ticker::selftest {
 namespace {
 
-// A part of `./tick selftest --screenshots`, a tenth by `./tick guard slow`: an honest picture
-// fails with less than 3e-7.
+// A part of `./tick selftest --screenshots`; `./tick guard slow` runs a tenth of it. An honest
+// picture fails with a chance below 3e-7.
 TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     const std::filesystem::path root{TICKER_SOURCE_DIR};
     const std::vector<pipeline::SpecScene> scenes =

@@ -24,7 +24,7 @@ private:
     std::uint32_t state_;
 };
 
-/// Renders another grey in each run; nothing after the last one.
+/// Renders the next of these greys in each run; no answer after the last one.
 class GreyCode final : public probe::Examinee {
 public:
     explicit GreyCode(std::vector<double> greys) : greys_(std::move(greys)) {}
@@ -53,7 +53,8 @@ private:
     std::size_t runs_ = 0;
 };
 
-/// Words about a picture of grey 0.3 if the code renders these greys, one in each run.
+/// What is said of a picture of grey 0.3, and how often the code ran, if it renders one of these
+/// greys in each run.
 struct Said {
     Verification verification;
     std::size_t runs;
@@ -73,7 +74,7 @@ Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     return {verify(picture.view(), scene, 5), code.runs()};
 }
 
-/// A process that ends in this way, and answers nothing.
+/// Answers nothing; its process ends in this way.
 class Ending final : public probe::Examinee {
 public:
     explicit Ending(probe::ProcessEnd end) : end_(std::move(end)) {}

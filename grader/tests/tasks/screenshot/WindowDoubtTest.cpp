@@ -1,4 +1,4 @@
-// Only code that renders a region as that place of a whole frame can disprove a picture by windows.
+// Windows can disprove a picture only if the code renders a region as that part of a whole frame.
 #include <grader/tasks/screenshot/WindowDoubt.h>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using raytracer::RenderSettings;
 
-/// The grey of pixel (x, y) of the image.
+/// The grey of pixel (x, y) of a region's image.
 using GreyOfPart = std::function<double(const RenderSettings&, int x, int y)>;
 
 double noiseAt(std::uint64_t a, std::uint64_t b) {
@@ -68,7 +68,7 @@ private:
     int runs_ = 0;
 };
 
-/// Nothing but the way in which the process ended.
+/// Answers nothing; its process ends in this way.
 class EndingAtOnce final : public probe::Examinee {
 public:
     explicit EndingAtOnce(probe::ProcessEnd::Kind kind) : kind_(kind) {}

@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    // Questions of values have no settings.
+    // Questions about normals, hits or functions have no settings.
     template <class Asked>
     void change(Asked& asked) const {
         if constexpr (requires { asked.settings; })

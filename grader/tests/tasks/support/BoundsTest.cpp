@@ -42,8 +42,8 @@ TEST(LargestGap, ComparesTwoSetsOfDifferentSizeAndScale) {
     EXPECT_GT(largestGap(small, large, 1.0), 0.4);
 }
 
-// The bound itself at a risk that can be counted: 2000 experiments at risk 0.05 exceed it in at
-// most 0.05 * 2000 = 100; more than 150 would have a chance below 1e-6.
+// The bound itself, at a risk large enough to count: 2000 experiments at risk 0.05 exceed it 100
+// times at most on average; more than 150 times would have a chance below 1e-6.
 TEST(DkwBound, HoldsForUniformSamples) {
     std::mt19937_64 engine{7};
     int exceeded = 0;

@@ -25,7 +25,8 @@ std::vector<corpus::Entry> catalogue() {
 }
 
 TEST(DistributedCatalogue, HasEveryFinding) {
-    // Only code that tells a render from single questions gets these: grader/corpus/hostile.
+    // Only code that behaves differently in renders and single questions gets these; it is in
+    // grader/corpus/hostile.
     std::set<std::string, std::less<>> shown{"shadow.not-in-renders", "dof.picture-differs"};
     for (const corpus::Entry& mistake : catalogue())
         shown.insert(mistake.expected().finding());
@@ -49,8 +50,8 @@ TEST(DistributedCatalogue, IsJudgedAsItSays) {
         EXPECT_TRUE(row.asExpected) << tableOf(rows);
 }
 
-// At the handout's settings light for each sample fits looser readings, too; at others only its
-// own.
+// Light that is computed for each sample fits looser readings, too, at the handout's settings. At
+// other settings it fits only its own reading.
 TEST(DistributedCatalogue, DoesNotWarnOfSettingsThatAreFollowed) {
     std::vector<corpus::Entry> entries = catalogue();
     std::erase_if(entries, [](const auto& entry) { return entry.name != "accepted-per-sample"; });

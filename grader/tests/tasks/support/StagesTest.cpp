@@ -20,7 +20,8 @@ enum class Turn { right, wrong, silent };
 
 enum class Rays { hidden, beyondTheLog };
 
-/// The reference, with a light that is too small in given runs; the first run is right.
+/// The reference. The first run is right; in later ones the light is right, too small, or there is
+/// no answer, as `stages` says.
 class Staged final : public probe::Examinee {
 public:
     Staged(std::vector<Turn> stages, Rays rays) : stages_(std::move(stages)), rays_(rays) {}

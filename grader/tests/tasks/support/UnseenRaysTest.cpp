@@ -17,7 +17,7 @@ std::string firstOf(const TaskJudgement& judgement) {
 }
 
 // The reference, judged by its values and pictures alone. A correct submission fails a stage with a
-// chance below 1e-7, and must fail two.
+// chance below 1e-7, and only a second failure counts.
 TEST(UnseenRays, PassTheReferenceWithANote) {
     tests::LocalExaminee reference;
     AlteredExaminee blind{reference, nullptr, true};
@@ -40,7 +40,7 @@ struct Altered {
     bool hideRays;
 };
 
-// Misses of each with a chance below 1e-4.
+// Each is missed with a chance below 1e-4.
 TEST(AlteredSettings, AreNamedWithAndWithoutRays) {
     const std::vector<Altered> cases{
         {"T2.1", "shadow.light-size", [](RenderSettings& s) { s.lightSize *= 0.9; }, false},
