@@ -1,4 +1,5 @@
-// A picture beside the normals that the same code answered, with shading by hand.
+// A picture compared with the normals that the same code returns. The shading is worked out by
+// hand.
 #include <grader/tasks/bump/BumpPicture.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
@@ -20,7 +21,7 @@ namespace {
 using raytracer::ColourRGB;
 using raytracer::Vector3;
 
-/// A bumpy ball of radius 1 behind a smooth one, lit from above; without highlights.
+/// A smooth ball, then a bumpy one of radius 1, lit from above; without highlights.
 raytracer::SceneDescription ballAt(const Vector3& centre) {
     raytracer::SceneDescription scene;
     scene.ambientLighting = ColourRGB{0.1};
@@ -69,7 +70,7 @@ Vector3 leaning(const Vector3& smooth) {
     return (smooth + Vector3{0.4, -0.3, 0.2}).normalised();
 }
 
-/// How badly a picture of the drawn normals fits the answered ones.
+/// How badly a picture that shows the normals `drawn` fits the normals `answered`.
 double misfitOf(const NormalAt& drawn, const NormalAt& answered) {
     const BumpPicture plan = planned();
     probe::NormalAnswer answer;
@@ -125,8 +126,8 @@ TEST(BumpMisfit, LeavesOutNormalsThatAreNoNumbers) {
     EXPECT_LT(misfitOf(leaning, upperHalf), 1e-9);
 }
 
-// So that code cannot tell a question's sphere from a picture's. Of 200 draws each kind is missing
-// with a chance below 1e-20.
+// Code must not be able to tell the sphere of a question from that of a picture. In 200 draws each
+// kind is missing with a chance below 1e-20.
 TEST(BumpQuestions, StandInScenesWithLightsAndSometimesOtherObjects) {
     bump::Questionnaire asked{8};
     int withSpheres = 0;

@@ -16,7 +16,8 @@ using probe::RenderAnswer;
 using probe::RenderQuestion;
 using raytracer::ColourRGB;
 
-/// Right normals, and renders of one grey. With two threads one pixel has another grey.
+/// Right normals, and renders of one grey, `first`. With two threads one pixel of the last picture
+/// is `second`.
 class Racing final : public probe::Examinee {
 public:
     Racing(double second, std::size_t pictures, double first = 0.25)

@@ -61,7 +61,7 @@ struct Told {
     std::string hint;     ///< likewise
 };
 
-// What misled the authors of these mistakes before.
+// Earlier words about these mistakes misled their authors.
 TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
     const std::vector<Told> wanted{
         {"normal-hardly-counts", "the normal lies flat in the surface", "n is missing"},

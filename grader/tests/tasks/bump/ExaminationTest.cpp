@@ -28,7 +28,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
     return judgement;
 }
 
-/// Whether coarse ramps replace those of a submission.
+/// Whether the judgement of coarse ramps replaces that of the other ramps.
 bool coarseCounts(const Times& times, RampKind kind, bool responds) {
     const MainPlan plan = planMain(8);
     const Answers answers =
@@ -43,7 +43,7 @@ TEST(Examine, TakesCoarseRampsWhereTheyTellMore) {
     EXPECT_TRUE(coarseCounts(level, RampKind::right, true));
     EXPECT_TRUE(coarseCounts(level, RampKind::slopeUIgnored, false));
     EXPECT_FALSE(coarseCounts(level, RampKind::silent, false));
-    // Tilted, but without a known place.
+    // The ramps tilt, but no place on the map follows from them.
     const Times strange = [](const Place& at, const selftest::Point&) {
         return std::pair(std::sin(50.0 * at.u), std::cos(70.0 * at.v));
     };

@@ -1,4 +1,4 @@
-// Steps of u and v: coarse rounding, or steps as wide as a texel of the other axis.
+// Coarse rounding of u and v, and differences over the width of a texel of the other axis.
 #include <grader/tasks/bump/questions/Fineness.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>

@@ -82,7 +82,7 @@ TEST(JudgeBump, MakesUpForTheLeanOfADisplacedSurfacesChords) {
     Reading reading;
     reading.gain = Reading::Gain::displacedUnit;
     reading.difference = Reading::Difference::forward;
-    for (const double strength : {0.2, 1.0, 5.0, 20.0}) {  // 1 + 0.005 to 0.5 times the height
+    for (const double strength : {0.2, 1.0, 5.0, 20.0}) {  // radius 1 + 0.005 to 0.5 x height
         reading.strength = strength;
         EXPECT_EQ(judge(reading).state, TaskState::passed) << strength;
         EXPECT_EQ(firstId(judge(reading, Mistake::inverted)), "bump.inverted") << strength;

@@ -11,8 +11,8 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// The tilts at one place: along u and along v on either ramp; `bowU` and `bowV` are the bows'
-/// tilts as multiples of their ramps'.
+/// The tilts at one place: `onU` and `onV` along the slope of either ramp, `acrossU` and `acrossV`
+/// along the other axis. `bowU` and `bowV` are the bows' tilts as multiples of their ramps'.
 struct Tilts {
     double onU = 1.0;
     double onV = 1.0;
@@ -135,7 +135,7 @@ TEST(JudgeRamps, KnowPlacesThatNoPolarCoordinatesGive) {
     EXPECT_EQ(opposite(0.12), RampKind::strangeParametrisation);
 }
 
-/// A submission that tilts by `tilted(slope)` along each axis.
+/// A submission that tilts by `tilted(slope, isU)` along each axis.
 LadderJudgement judgeSubmission(const std::function<double(double, bool isU)>& tilted) {
     Questionnaire questionnaire;
     Draws draws(6);

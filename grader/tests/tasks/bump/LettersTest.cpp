@@ -141,7 +141,7 @@ TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
     EXPECT_FALSE(other.good());
 }
 
-// A tenth of the change at an edge; the other letters set the scale.
+// A change of less than a tenth of that at an edge counts as none; the other letters set the scale.
 TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
     const auto faint = [](double times) {
         return AskedLetters([=](const Place& at) {

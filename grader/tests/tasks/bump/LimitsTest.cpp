@@ -1,4 +1,4 @@
-// Limits of the agreements.
+// The limits within which an agreement, letters or a fit count as good.
 #include <grader/tasks/bump/answers/Letters.h>
 #include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Regions.h>

@@ -15,7 +15,7 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// Twenty thousand units in the last place of a direction.
+// 45,000 units in the last place of a number just above 1.
 constexpr double kRounding = 1e-11;
 
 using tests::spread;

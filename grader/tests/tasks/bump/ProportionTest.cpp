@@ -44,7 +44,8 @@ selftest::NormalFunction modelOf(const selftest::Reading& reading) {
     };
 }
 
-/// Floor, forward differences, u = 0 at the back; `heightAt` gives the height at any place.
+/// The texel at the rounded-down place, forward differences, u = 0 at the back; `heightAt` returns
+/// the height at any column and row, also beyond the edge.
 template <typename HeightAt>
 selftest::NormalFunction withHeights(HeightAt heightAt) {
     return [heightAt](const Point& point) {
@@ -116,7 +117,7 @@ selftest::NormalFunction turnedBy(double (*angleOf)(double)) {
     };
 }
 
-// Exact: n' = n - slope has n'.n = 1 before it is normalised.
+// The normal n - slope is exactly right: before it is normalised, its component along n is 1.
 TEST(ReadProportion, FindsEveryAcceptedReadingAboveTheHorizon) {
     const std::vector<selftest::Reading> readings = tests::someReadings();
     for (const selftest::Reading& reading : readings)

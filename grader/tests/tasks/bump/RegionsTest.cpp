@@ -32,7 +32,7 @@ double along(const Point& point) {
     return 0.5 + std::atan2(n.x, -n.z) / (2.0 * std::numbers::pi);
 }
 
-/// Inverted along u if `isWrong` says so, right elsewhere.
+/// Inverted along u where `isWrong` is true, right elsewhere.
 template <typename IsWrong>
 TaskJudgement judgeInvertedWhere(IsWrong isWrong) {
     return judge([=](const Point& point) {

@@ -185,7 +185,7 @@ TEST(JudgeBump, FailsWhoseSlopesAreLostAtFallsOrAtRises) {
         }
 }
 
-// The steeper one keeps every edge; neither favours rises or falls.
+// The steeper difference keeps every edge. Neither of the two favours rises or falls.
 TEST(JudgeBump, StillPassesTheSteeperAndTheGentlerOfTwoDifferences) {
     for (const Choice choice : {steeper, gentler})
         EXPECT_EQ(judge(choosing(choice, choice)).state, TaskState::passed);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The tilt on each ramp at a place of the map: towards the slope (positive: raised), and along the
-/// other axis.
+/// The tilt on a ramp at a place of the map: along the slope (positive: the ramp looks raised), and
+/// along the other axis.
 struct Tilt {
     double towards = 0.0;
     double sideways = 0.0;
@@ -129,7 +129,7 @@ TEST(Response, AllowsFifteenDegreesEitherWay) {
         }
 }
 
-// A slope along u that adds to the tilt along v turns all tilts the same way.
+// If a slope along u also tilts along v, all tilts turn the same way.
 TEST(Response, AllowsNoLeanOfAllTilts) {
     for (const double middle : {0.0, 180.0})
         for (const double side : {-1.0, 1.0}) {

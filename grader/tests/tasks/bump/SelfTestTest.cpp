@@ -6,7 +6,7 @@
 namespace ticker::selftest {
 namespace {
 
-// A tenth by `./tick guard slow`.
+// `./tick guard slow` runs a tenth of the tables.
 TEST(BumpSelfTest, APartOfTheTablesComesOutRight) {
     const BumpSelfTest result = runBumpSelfTest(tests::isSlowRun() ? 0.1 : 0.008, {1, 2, 3});
     EXPECT_TRUE(result.passed()) << result.table();

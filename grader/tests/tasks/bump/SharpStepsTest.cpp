@@ -14,7 +14,7 @@ namespace {
 
 using selftest::Point;
 
-/// Of code whose slopes are `bent`.
+/// The share of points that turn, for code that takes `bent(slope)` for each slope.
 double turnedBy(const std::function<double(double)>& bent, std::uint64_t seed = 4) {
     Questionnaire questionnaire;
     Draws draws(seed);
@@ -28,7 +28,8 @@ double turnedBy(const std::function<double(double)>& bent, std::uint64_t seed = 
 }
 
 TEST(ReadSharpSteps, SeesStepsThatWrap) {
-    // Half of the step between two texels is the slope here: 0.5 of the greatest height, or 0.2.
+    // The slope is half of the step between two texels: 0.4 to 0.5 of the greatest height at white
+    // blocks, 0.2 at grey ones.
     constexpr double kSteep = 0.3 * raytracer::kBumpFactor;
     EXPECT_EQ(turnedBy([](double slope) { return std::abs(slope) > kSteep ? -slope : slope; }),
               1.0);

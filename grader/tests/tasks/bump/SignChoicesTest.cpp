@@ -1,4 +1,5 @@
-// Acceptance: a plus before both cross products, in all sign choices of P_u, P_v, B_u and B_v.
+// The handout's form with a plus before both cross products, in all sign choices of P_u, P_v, B_u
+// and B_v.
 #include <grader/lab/selftest/FunctionExaminee.h>
 #include <grader/tasks/bump/JudgeBump.h>
 

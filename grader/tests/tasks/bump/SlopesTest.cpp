@@ -76,7 +76,7 @@ TEST(ReadSlopes, TakesTheSignThatTheRampsHave) {
     EXPECT_NEAR(slopesOf(right, response).fieldV, -1.0, 1e-9);
 }
 
-// Where the map is dark, at about half of the points, one axis is wrong.
+// In the upper half of the map one axis is wrong.
 TEST(ReadSlopes, CountsTheShareThatLeansTheOtherWay) {
     const SlopeAgreement agreement = slopesOf([](const Place& at, const selftest::Point&) {
         return std::pair(1.0, at.v < 0.5 ? -1.0 : 1.0);
@@ -133,7 +133,7 @@ TEST(SlopeAlong, IsTheDifferenceOverTwoTexels) {
     EXPECT_NEAR(slopeAlongV(map, 0.9, 1.0), 10.5 * kByte, 1e-12);
 }
 
-/// Gentle ramps' judgement of a submission with proportional tilts and this factor.
+/// The judgement of gentle ramps, for a submission whose tilts are this factor times the slope.
 RampJudgement judgementOf(double strength) {
     RampJudgement judgement;
     judgement.shape = {1001, 801, 90, 0.5, 2.0};
@@ -215,7 +215,7 @@ TEST(ReadRegions, NamesNoneWhereAllStrayOrThoseAreSpreadOut) {
     EXPECT_FALSE(mixed.u.rows);
 }
 
-// A fiftieth of the ramps' tilt at this slope.
+// The limit is a fiftieth of the tilt that the ramps have at this slope.
 TEST(ReadRegions, CallsATiltThatIsTooWeakAStray) {
     EXPECT_GT(regionsOf(right, 1.0 / 0.0205).u.asOnRamps, 0.94);
     EXPECT_LT(regionsOf(right, 1.0 / 0.0185).u.asOnRamps, 0.1);

@@ -11,7 +11,7 @@
 
 namespace ticker::tests {
 
-/// Replaces BumpySphere for a getNormalAt; many of them fit into one program.
+/// Stands in for BumpySphere, so that many versions of getNormalAt fit into one program.
 class StandIn : public raytracer::Sphere {
 public:
     explicit StandIn(const selftest::Point& point)
@@ -23,7 +23,7 @@ private:
     const raytracer::HeightMap* heightMap_;
 };
 
-/// One mistake of the catalogue (or the reference itself), compiled.
+/// One entry of the catalogue, a mistake or an accepted reading, or the reference itself, compiled.
 struct CompiledMistake {
     std::string id;       ///< "reference" for the reference
     std::string finding;  ///< expected
@@ -31,7 +31,7 @@ struct CompiledMistake {
     raytracer::Vector3 (*normalAt)(const selftest::Point& point);
 };
 
-/// Written by makeCatalogue from grader/corpus/mistakes/T1.
+/// Written by makeCatalogue from grader/corpus/accepted/T1 and grader/corpus/mistakes/T1.
 [[nodiscard]] const std::vector<CompiledMistake>& compiledCatalogue();
 
 }  // namespace ticker::tests

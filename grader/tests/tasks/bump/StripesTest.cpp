@@ -32,7 +32,7 @@ StripeAgreement stripesOf(const selftest::NormalFunction& function, std::uint64_
     return readStripes(stripes, answers, ramps);
 }
 
-/// The fractions of the column and the row that are used, from those of the point.
+/// Maps the fractions of a point's column and row to those that the code uses.
 using Fractions = std::pair<double, double> (*)(double column, double row);
 
 /// The height at a place in texels, interpolated between the middles of four texels.

@@ -1,4 +1,5 @@
-// Writes one C++ file with every mistake of the catalogue's task T1, each in a class of its own:
+// Writes one C++ file with the reference and every entry of the catalogue's task T1, each in a
+// class of its own:
 //   makeCatalogue PROJECT REFERENCE_FILE OUTPUT
 #include <grader/corpus/Entry.h>
 

@@ -22,7 +22,7 @@ Caps capsOf(const selftest::NormalFunction& function, const Parametrisation& par
     return readCaps(plan, tests::answersOf(questionnaire, function), parametrisation);
 }
 
-/// Tangents of a helper vector: of z where the height of the point is beyond the limit.
+/// The right tilts along tangents from a helper vector: y, or z where n.y is at least the limit.
 selftest::NormalFunction withHelperBeyond(double limit) {
     return [limit](const Point& point) {
         const Vector3 n = tests::smooth(point);
@@ -38,7 +38,7 @@ selftest::NormalFunction withHelperBeyond(double limit) {
 }
 
 TEST(ReadCaps, SeesAnotherHelperVectorAtOneEndFromSixDegreesOn) {
-    // Of 48 points that stand evenly, 16 happen to lean the right way: there is no chance in it.
+    // Of 48 evenly spaced points 16 lean the right way, whatever is drawn.
     for (const double limit : {0.99, 0.995})
         for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
             const Caps caps = capsOf(withHelperBeyond(limit), tests::kParametrisation, seed);

@@ -59,8 +59,9 @@ TEST(ReadFewTexels, SaysNothingAboutTheFirstAndTheLastTexel) {
                 })).good());
 }
 
-/// Texels whose differences to the right and below wrap at another size, or are taken to the texel
-/// before.
+/// Differences to the next column and row, which wrap as on a map with so many columns or rows
+/// less.
+/// @param step  -1: to the previous column and row.
 selftest::NormalFunction wrapping(int columnsLess, int rowsLess, int step = 1) {
     return [=](const Point& point) {
         const Vector3 n = tests::smooth(point);

@@ -19,7 +19,8 @@ Examination examinationOf(const selftest::Reading& reading, std::uint64_t seed) 
                    }));
 }
 
-// Limits are 0.1, 0.7 and 0.6; these leave room for readings that the model does not have.
+// The limits are 0.1 for `elsewhere`, 0.7 for `caps`, and 0.6 and 0.12 for `fewTexels`. These
+// bounds leave room for readings that the model does not have.
 void expectRoom(const Examination& examination) {
     EXPECT_LE(examination.elsewhere.changed, 0.03);
     if (!examination.caps || !examination.fewTexels) return;  // heights in whole bytes

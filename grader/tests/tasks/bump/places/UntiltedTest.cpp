@@ -61,7 +61,7 @@ TEST(ReadUntilted, IsGoodForEveryAcceptedReading) {
 TEST(ReadUntilted, SeesEachCondition) {
     const auto expectOnly = [](Whereabouts where, const selftest::NormalFunction& function) {
         const Untilted untilted = untiltedOf(function);
-        // A condition of the place or the eye holds at some points of coarse maps, too.
+        // A condition on the place or on the eye holds at some points of maps of few texels, too.
         const std::size_t kinds = std::max(static_cast<std::size_t>(where) + 1,
                                            static_cast<std::size_t>(Whereabouts::fewRows));
         for (std::size_t i = 0; i < kinds; ++i)
