@@ -1,4 +1,4 @@
-// Mistakes that are told by what they leave right: rules with a number that the colours show.
+// Mistakes that follow a rule with a number, such as a factor; the colours show the number.
 #include <grader/tests/tasks/shadows/KnownParts.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 using Purpose = ShadowQuestion::Purpose;
 using ColourOf = std::function<ColourRGB(const Parts&, int open)>;
 
-/// Message and hint for points of which so many of ten rays arrive.
+/// Id, message and hint for points at which so many of ten rays arrive, one point for each of
+/// `opens`. Empty without a finding.
 std::string told(const ColourOf& colourOf, const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
     ShadowByHand made;
     raytracer::SceneDescription& scene =
@@ -88,8 +89,8 @@ TEST(ExplainedShadows, KnowsLightThatEachBlockedRayMultiplies) {
     EXPECT_FALSE(has(told(squared), "multiplies"));
 }
 
-/// Two points, one under a near and one under a far sphere, with a light at height 16, and one
-/// without: lit where told.
+/// Id, message and hint for a light at height 16 and points under a near sphere, under a far sphere
+/// and under none. `nearIsLit` and `farIsLit` tell whether the shadowed points are lit.
 std::string toldOfSpheres(bool nearIsLit, bool farIsLit, double nearHeight = 1.0,
                           double farHeight = 9.0) {
     ShadowByHand made;

@@ -1,4 +1,4 @@
-// Lights that add little, and close ones.
+// Lights that add little, close lights, the back side of a surface, and eight lights.
 #include <grader/tasks/support/Surfaces.h>
 #include <grader/tests/tasks/shadows/ShadowByHand.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-/// @param height  Of the light, which is 12 away.
+/// @param height  Of the light over the floor; the light is 12 away.
 std::optional<Finding> judgeFaint(double height, int rays, double lightTimes,
                                   bool raysAreVisible = true) {
     ShadowByHand made;
@@ -53,7 +53,8 @@ TEST(CheckFaintLight, WantsItsRays) {
     EXPECT_EQ(numberIn(*skipped, "fewestRays"), 0.0);
 }
 
-/// @param distinct  Of the aims at a far light.
+/// @param off       Distance of the aims from the light's centre.
+/// @param distinct  Number of different aims at a far light.
 std::optional<Finding> judgeClose(double off, std::size_t distinct = 2010) {
     ShadowByHand made;
     made.ask(Purpose::closeLight, {{0.0, 1.3, 0.0}});
@@ -73,7 +74,8 @@ TEST(CheckCloseLight, WantsRaysBeyondSevenTenthsOfTheRadius) {
     EXPECT_FALSE(judgeClose(0.22, 10)) << "ten aims say little";
 }
 
-/// @param rays  From each of 48 points, so far from the centre.
+/// @param off   Distance of the rays from the light's centre.
+/// @param rays  From each of 48 points.
 std::optional<Finding> judgeOneRay(double off, int rays = 1, std::size_t distinct = 2010) {
     ShadowByHand made;
     made.ask(Purpose::oneRay, {{0.0, 6.0, 0.0}}).question.settings.shadowRayCount = 1;
@@ -116,7 +118,8 @@ TEST(CheckBackSide, WantsAmbientLightAlone) {
     EXPECT_EQ(idOf(judgeBackSide(1.0)), "shadow.wrong");
 }
 
-// Whether V is O or the eye, and whether or not the surface's own shadow is looked for.
+// This holds whether V points to O or to the eye, and whether or not code looks for the surface's
+// own shadow.
 TEST(BackSide, HasNoHighlightInAnyReading) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         for (const ShadowQuestion& question : drawShadowQuestions(seed)) {

@@ -1,4 +1,5 @@
-// The highlight is told from the diffuse light by colours: bounds of what counts as right.
+// The colours of the points tell the highlight from the diffuse light: bounds of what counts as
+// right.
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tests/tasks/shadows/KnownParts.h>
 
@@ -12,7 +13,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// Changes one point with its right parts.
+/// Changes a point, whose right parts of the light are given.
 using Repaint = std::function<void(PointLog& point, const Parts& parts, int number)>;
 
 std::optional<Finding> highlightOf(const Repaint& repaint, int points = 8) {
@@ -100,7 +101,8 @@ TEST(HighlightAlone, AllowsAHundredthOfTheDiffuseLightAndOfTheHighlight) {
     EXPECT_TRUE(highlightOf(scaled(1.0, 0.9)));
 }
 
-// As where the way to the light, not its direction, is raised to a high power.
+// This happens where code uses the way to the light instead of its direction and raises the product
+// to a high power.
 TEST(HighlightAlone, MayBeSoLargeThatRoundingTakesTheDiffuseLight) {
     for (const double times : {1e13, 1e14, 1e15, 1e16})
         EXPECT_TRUE(highlightOf(scaled(1.0, times))) << times;

@@ -10,8 +10,8 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-/// Eight points of each zone in every kind of question, each with the colour `colourOf(parts, zone,
-/// purpose)`.
+/// Eight points of each zone in questions of five purposes, each with the colour `colourOf(parts,
+/// zone, purpose)`.
 template <typename ColourOf>
 ArithmeticVerdict judge(const ColourOf& colourOf, bool viewerIsEye = false) {
     ShadowByHand made;

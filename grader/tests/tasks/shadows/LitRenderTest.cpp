@@ -31,8 +31,8 @@ std::optional<std::string> differenceAfter(const Change& change, const VisibleRa
     return litDifference(readLitRender(asked, answer), visible);
 }
 
-/// The picture of a recursion of the code's own, which lights points without `illuminate` and casts
-/// this many of the reference's shadow rays for each.
+/// Changes a picture into that of code with a recursion of its own, which lights points without
+/// `illuminate` and casts only `kept` of the reference's shadow rays for each.
 auto unobserved(int kept) {
     return [=](probe::RenderAnswer& answer) {
         std::map<std::uint32_t, int> rays;  // by thread
@@ -57,8 +57,8 @@ void showOneRay(const raytracer::SceneDescription& scene, const probe::LitPoint&
     }
 }
 
-/// The reference, with a recursion of its own. Its renders show one shadow ray to each light, and
-/// so do single points, or they show all.
+/// The reference, with a recursion of its own. Its renders show one shadow ray to each light.
+/// Single points show one as well if `alsoInPoints`, otherwise all.
 class OneRayInRenders final : public probe::Examinee {
 public:
     explicit OneRayInRenders(bool alsoInPoints) : alsoInPoints_(alsoInPoints) {}
@@ -84,7 +84,7 @@ private:
     bool alsoInPoints_;
 };
 
-// Exact: no seed may differ.
+// The comparison is exact: no difference is allowed under any seed.
 TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
     tests::LocalExaminee reference;
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
@@ -96,7 +96,8 @@ TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
         }
 }
 
-// Whether a colour depends on its own rays shows only if some rays arrive and some do not.
+// Only a point at which some rays arrive and some do not shows whether a colour follows from the
+// point's own rays.
 TEST(LitRender, HasManyPointsAtTheEdgesOfShadows) {
     tests::LocalExaminee reference;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -186,7 +187,8 @@ TEST(LitRender, ExpectsAsManyRaysAsSinglePointsShow) {
     EXPECT_TRUE(differenceAfter(unobserved(2), {.all = false})) << "they showed none";
 }
 
-// Judged by its values alone, right code fails a stage with a chance below 1e-7, and must fail two.
+// Right code that is judged by its values alone fails a stage with a chance below 1e-7, and only a
+// second failure counts.
 TEST(JudgeShadows, PassesOneVisibleRayToALightInRendersIfPointsShowNoMore) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         OneRayInRenders both{true};

@@ -1,4 +1,5 @@
-// Properties of the mixed scenes of T2.1, and what is said of wrong answers to them.
+// Properties of the mixed scenes of T2.1, and the trait that is named where their answers are
+// wrong.
 #include <grader/tasks/shadows/mixed/MixedScenes.h>
 #include <grader/tasks/shadows/mixed/ShadowTraits.h>
 
@@ -51,8 +52,8 @@ TEST(MixedScenes, HaveEachLightInFrontOfTheSurfaceOrBehindIt) {
         });
 }
 
-// Neither of the light's centre nor of any other place of it: some submissions give each ray a term
-// of its own.
+// This holds for every place of a light, not only for its centre: some submissions give each ray a
+// term of its own.
 TEST(MixedScenes, ShowNoHighlightOfLightsBehindTheSurface) {
     Draw places{1, 78};
     forEachPointAndLight(
@@ -68,7 +69,7 @@ TEST(MixedScenes, ShowNoHighlightOfLightsBehindTheSurface) {
         });
 }
 
-// Of a light that is too near the rays that are cast from it would count for another one.
+// If a light were too near, the rays that are cast from it would count for another light.
 TEST(MixedScenes, HaveNoPlaceOfALightNearAPoint) {
     forEachPointAndLight(
         [](const ShadowQuestion& drawn, const probe::LitPoint& point, const PointLight& light) {
@@ -118,7 +119,7 @@ TEST(MixedScenes, HaveRaysThatBelongToOneLight) {
     });
 }
 
-/// The points of one seed's scenes, nothing answered.
+/// The points of one seed's scenes, without answers.
 struct Points {
     explicit Points(std::uint64_t seed) : questions(drawn(seed)) {
         Draw draw{seed, 79};
@@ -147,7 +148,8 @@ TEST(MixedScenes, HavePointsWithEachTraitAndWithout) {
     }
 }
 
-// Another trait may say the same of one seed's points, so that most of them are asked.
+// Another trait may hold at exactly the same points of a seed, and is then told instead. So only
+// nine of ten traits must be told themselves.
 TEST(MixedScenes, TellTheTraitThatAllWrongPointsShare) {
     int named = 0;
     int asked = 0;

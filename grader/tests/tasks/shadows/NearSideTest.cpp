@@ -1,5 +1,5 @@
-// Light that falls off over the distance of the ball's surface, as rays that meet the ball as an
-// object give it.
+// Light whose falloff takes the distance to the near side of the light's ball, as where rays meet
+// the ball as an object.
 #include <grader/tasks/shadows/JudgeShadows.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
@@ -19,7 +19,8 @@
 namespace ticker::tasks {
 namespace {
 
-/// Where on its line each sample lies, whose distance the falloff takes.
+/// The place whose distance the falloff takes: the light's centre, or a place on the sample's line
+/// inside of the light's ball.
 enum class Side { centre, middle, near, anywhere, eitherEnd };
 
 /// The reference's shadow rays with light of another falloff; the rays are hidden if told to.
@@ -111,7 +112,7 @@ TEST(NearSide, IsNotSaidOfTheCentresDistanceNorOfThatOfEachSample) {
     for (const Side side : {Side::centre, Side::middle, Side::anywhere, Side::eitherEnd})
         for (const bool hideRays : {false, true})
             for (const bool perSample : {false, true}) {
-                // Values, which judge hidden rays, take ten times as long.
+                // Hidden rays are judged by values, which takes ten times as long.
                 if (hideRays && !tests::isSlowRun() && (side != Side::eitherEnd || perSample))
                     continue;
                 EXPECT_FALSE(saysNearSide(side, perSample, hideRays, 5))
@@ -119,7 +120,7 @@ TEST(NearSide, IsNotSaidOfTheCentresDistanceNorOfThatOfEachSample) {
             }
 }
 
-// Values judge code that casts more rays than can be followed.
+// Code that casts more rays than a log holds is judged by its values.
 TEST(NearSide, IsLeftToTheValuesWhereALogIsCut) {
     const std::vector<ShadowQuestion> asked = drawShadowQuestions(5);
     std::vector<probe::Question> questions;

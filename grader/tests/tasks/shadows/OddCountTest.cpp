@@ -8,7 +8,7 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-/// Asks for 7 rays.
+/// A question that asks for 7 rays; its point gets `rays`.
 std::optional<Finding> judgeOdd(int rays, double colourTimes = 1.0) {
     ShadowByHand made;
     made.ask(Purpose::oddCount, {{0.0, 20.0, 0.0}}).question.settings.shadowRayCount = 7;

@@ -1,4 +1,5 @@
-// Points that see a part of the light, judged by values alone.
+// Shares of the light at points in the penumbra, expected and seen, for code that is judged by
+// values alone.
 #include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 #include <grader/tasks/shadows/penumbra/PenumbraHits.h>
 #include <grader/tasks/shadows/penumbra/PenumbraShares.h>
@@ -93,7 +94,7 @@ double boundOf(double variance, double calls) {
 TEST(WorstExcess, IsInUnitsOfBernsteinsBound) {
     const std::vector<PenumbraSamples> one{samplesOf(1000, 0.35, 0.02)};
     EXPECT_NEAR(worstExcess(one, {0.3}, {0.5}), 0.05 / boundOf(0.02, 1000.0), 1e-9);
-    // All together twice as far off, by a bound that grows by less.
+    // Together the two places are twice as far off, and the bound grows by less.
     const std::vector<PenumbraSamples> two{samplesOf(1000, 0.35, 0.02),
                                            samplesOf(1000, 0.45, 0.02)};
     const double risk = std::log(2.0 / 1e-11);

@@ -1,4 +1,4 @@
-// Points that see a part of the light, judged by values alone.
+// The judgement of points that see a part of the light, by values alone.
 #include <grader/tasks/shadows/penumbra/PenumbraCheck.h>
 #include <grader/tasks/shadows/penumbra/PenumbraHits.h>
 #include <grader/tasks/shadows/penumbra/PenumbraShares.h>
@@ -22,7 +22,8 @@ const PenumbraQuestion& question() {
     return drawn;
 }
 
-/// How many of 3000 aims in a ball of this size around the light are visible.
+/// How many of 3000 aims on a sphere around the light are visible.
+/// @param size  Radius of the sphere, in radii of the light.
 int openAims(const probe::LitPoint& point, double size) {
     const Surfaces surfaces{question().question.scene};
     const Vector3 light = question().question.scene.pointLights[0].position();
@@ -67,14 +68,14 @@ TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
     EXPECT_EQ(places[3], 3);
 }
 
-/// Share of the light that one call gives, for the visible share of the light.
+/// The share of the light that one call gives, from the share of the light that is visible.
 using ShareOf = std::function<double(double open, Draw& draw)>;
 
 struct Answer {
     double size = 1.0;               ///< of the light
     double beyond = 0.0;             ///< share at places that should see nothing
-    bool beyondAlways = false;       ///< in every call instead of one
-    double within = 0.1;             ///< share at places that should see the outermost part
+    bool beyondAlways = false;       ///< `beyond` in every call instead of the first
+    double within = 0.1;             ///< share in the first call where the outermost part is seen
     bool darkRim = false;            ///< no light at places that should see the outermost twentieth
     raytracer::ColourRGB more{0.0};  ///< added to every colour
     AimShape shape = AimShape::ball;
@@ -204,7 +205,8 @@ TEST(CheckPenumbra, CountsTheRaysByTheSteps) {
     EXPECT_FALSE(judge(rays(11)).finding) << "an extra ray";
 }
 
-/// The question with those of its places in the penumbra that see such a share of the light.
+/// The question with fewer places in the penumbra: those that see a share of the light between
+/// `low` and `high`. The others become places at the rim.
 PenumbraQuestion withShares(double low, double high) {
     PenumbraQuestion some = question();
     const Surfaces surfaces{some.question.scene};
@@ -216,7 +218,7 @@ PenumbraQuestion withShares(double low, double high) {
     return some;
 }
 
-// One ray gives 0 or 1; only where a fraction is expected that says something.
+// One ray gives 0 or 1. That says something only where a fraction is expected.
 TEST(CheckPenumbra, CountsRaysWhereAFractionIsExpected) {
     EXPECT_EQ(idOf(judge(rays(1), {}, withShares(0.1, 0.9)).finding), "shadow.hard");
     EXPECT_NE(idOf(judge(rays(1), {}, withShares(-1.0, 0.1)).finding), "shadow.hard");

@@ -8,7 +8,7 @@
 
 namespace ticker::tasks {
 
-/// A floor under a light, with half of a sphere's shadow: two of four rays arrive.
+/// A point of a floor under a light. A sphere hides half of the light: rays to negative x arrive.
 struct ReplayCase {
     ShadowQuestion question;
     ShadowLog log;

@@ -1,4 +1,4 @@
-// The intervals of a replay: their ends by hand.
+// The intervals of colours that a replay accepts, with ends that are worked out by hand.
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tests/tasks/shadows/ReplayCase.h>
 
@@ -31,7 +31,7 @@ bool fitsIn(ReplayCase made, const ColourRGB& colour, ShadowArithmetic arithmeti
     return fits(made.log.points[0], made.log.scene(), made.log.settings(), reading, arithmetic);
 }
 
-/// Expects that exactly the colours `at(share)` of these shares fit.
+/// Expects that the colours `at(share)` fit for shares from `least` to `most` and for no others.
 template <typename At>
 void expectShares(const ReplayCase& made, ShadowArithmetic arithmetic, double least, double most,
                   const At& at, const ShadowReading& reading = {}) {
@@ -180,7 +180,7 @@ TEST(ReplayReadings, CastForEachTermApartWithAnyPhongTermAndAnExtraRay) {
             }));
 }
 
-/// One ray that passes the light's centre at 0.2 of its radius of 0.4.
+/// One ray that passes the light's centre at a distance of about `x`; the light's radius is 0.4.
 class OneRay {
 public:
     explicit OneRay(double x = 0.2) {

@@ -7,8 +7,8 @@
 namespace ticker::tasks {
 namespace {
 
-// Code that clamps nothing would show the light behind the surface as a highlight: whether it does
-// must not decide.
+// Code without a clamp may show a light behind the surface as a highlight. The judgement must not
+// depend on that.
 TEST(LightBehind, GivesNothingInAnyReading) {
     std::size_t points = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed)

@@ -55,7 +55,8 @@ public:
         line.toLight = line.endlessly = Sight::open;
         return point.lines[light].emplace_back(line);
     }
-    /// Rays round the light, each at half of its radius.
+    /// Rays to aims round the light's centre, at the distance `off` from it. The default is half of
+    /// the handout's radius.
     void castRing(int rays, std::size_t light = 0, double off = 0.2) {
         const Vector3 centre = logs_.back().scene().pointLights[light].position();
         for (int i = 0; i < rays; ++i)

@@ -6,7 +6,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// Points in full shadow with these shares of the light.
+/// Points of this zone, in full shadow by default, with these shares of the light.
 std::optional<Finding> judgeContact(const std::vector<double>& shares, Zone zone = Zone::umbra) {
     ShadowByHand made;
     made.ask(ShadowQuestion::Purpose::contact);

@@ -7,12 +7,12 @@
 namespace ticker::tasks {
 namespace {
 
-/// Twenty points with a light 0.1 above their floor, seen along the mirrored direction.
+/// Points with a light 0.1 above their floor, seen along the mirrored direction.
 class Horizon {
 public:
     Horizon() { made_.ask(ShadowQuestion::Purpose::horizon, {{4.0, 0.1, 0.0}}); }
 
-    /// A point with this many rays above and below the horizon, and the light of this share.
+    /// A point with this many rays above and below the horizon, and this share of the light.
     Horizon& add(int above, int below, double share) {
         PointLog& point = made_.point();
         point.point.viewer = {-4.0, 0.1, 0.0};
@@ -22,8 +22,8 @@ public:
             made_.cast({4.0, -0.11 - 0.01 * i, 0.0}).toLight = Sight::blocked;
         return light(share);
     }
-    /// Likewise, with this many rays to aims on the horizon, where the floor seems to be before the
-    /// light's centre or behind it.
+    /// Likewise, but the other rays go to aims on the horizon, in the plane of the floor: `before`
+    /// of them are blocked by the floor, `behind` of them arrive.
     Horizon& addLevel(int above, int before, int behind, double share) {
         add(above, 0, 0.0);
         for (int i = 0; i < before; ++i)
@@ -78,7 +78,7 @@ TEST(CheckHorizon, FindsAimsThatAllLieAbove) {
     EXPECT_FALSE(all.add(9, 1, 0.9).judge());
 }
 
-// One in a hundred drawings of the question has an aim this near to the horizon.
+// In one of a hundred draws of the question an aim is this near to the horizon.
 TEST(CheckHorizon, LetsNoAimNextToTheHorizonHideWhatTheOthersShow) {
     Horizon mirrored;
     for (int i = 0; i < 20; ++i)

@@ -56,8 +56,8 @@ TEST(ShadowLog, SortsRaysByPointAndByLight) {
     EXPECT_EQ(log.points[1].lines[0][0].toLight, Sight::open);
 }
 
-// Code that meets its own surface goes on behind it. A ray from the same start, or from one before,
-// is another sample.
+// Code whose ray meets its own surface casts it again from behind that hit. A ray from the same
+// start, or from an earlier one, is another sample.
 TEST(ShadowLog, TakesARayThatGoesOnBesideItsStartForOneSample) {
     const Vector3 direction{0.1, 4.0, 0.0};
     Logged logged;

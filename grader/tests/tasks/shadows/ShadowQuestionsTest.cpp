@@ -1,4 +1,4 @@
-// Properties of the questions of T2.1, for all seeds.
+// Properties that the questions of T2.1 have whatever the seed, tested for three seeds or more.
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
@@ -95,7 +95,7 @@ TEST(ShadowQuestions, HaveRoomForEightTimesTheRaysAndPointsOnTheirSurfaces) {
         }
 }
 
-// Else the rays of a right submission would be counted for another light.
+// Otherwise rays of a right submission would be counted for another light.
 TEST(ShadowQuestions, HaveNoLightWhoseRimIsNearerToAnothersCentreInAngle) {
     Draw draw{5, 9};
     for (std::uint64_t seed = 1; seed <= 80; ++seed)
@@ -343,7 +343,8 @@ double sineBetween(const Vector3& a, const Vector3& b) {
     return a.normalised().cross(b.normalised()).magnitude();
 }
 
-// Three of four viewers stand there; 67 points have fewer than 34 with a chance below 1e-5.
+// Three of four viewers stand far aside. Of 67 points fewer than 34 have one with a chance below
+// 1e-5.
 TEST(ShadowQuestions, OfFarLightsHaveViewersFarAsideFromPointAndLight) {
     for (const std::vector<ShadowQuestion>& questions : drawn())
         for (const ShadowQuestion& question : questions) {

@@ -24,7 +24,7 @@ TEST(CheckFinite, WantsANumberInEveryChannel) {
     }
 }
 
-// Sums of infinite channels may cancel to NaN.
+// Only infinities of both signs cancel to NaN in a sum. Those of one sign must be found, too.
 TEST(CheckFinite, IsNotMisledByInfinitiesOfOneSign) {
     const double endless = std::numeric_limits<double>::infinity();
     ShadowByHand made;
@@ -206,7 +206,8 @@ TEST(CheckAims, NamesWhatTheVerdictSays) {
 }
 
 /// Asks for 14 rays to a light of radius 0.25.
-/// @param miss  Of one ray; negative: as it is cast.
+/// @param off   Distance of the aims from the light's centre.
+/// @param miss  Of the first ray; negative: as it is cast.
 std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0,
                                   double miss = -1.0) {
     ShadowByHand made;
@@ -235,7 +236,7 @@ TEST(CheckOtherSettings, WantsThemFollowed) {
     EXPECT_TRUE(judgeOther(14, 0.2, 1.5)) << "a value of no reading";
 }
 
-// A radius of at most some number fits the handout's light, and larger ones no more.
+// Code that limits the radius is right for the handout's light, and no longer for larger ones.
 TEST(CheckOtherSettings, WantsAWideLightToBeWide) {
     const auto judgeWide = [](double off, std::size_t distinct) {
         ShadowByHand made;

@@ -69,7 +69,8 @@ TEST(RayCounts, RepeatWhereHalfAreEqualSomewhereOrSomeAtATenthOfThePlaces) {
     EXPECT_TRUE(counts.repeats(10));
 }
 
-/// A point under one light with `rays` rays, of which `distinct` differ.
+/// Twenty points with ten rays each, then a point of a question of this purpose with `rays` rays,
+/// of which `distinct` differ.
 std::optional<Finding> judge(int rays, int distinct, bool fixed, double off = 0.2,
                              Purpose purpose = Purpose::oneLight) {
     ShadowByHand made;

@@ -1,4 +1,4 @@
-// Rays that start elsewhere than at the point: consequences of that are not the fault.
+// Rays that do not start at the point: the start is named, not what follows from it.
 #include <grader/tasks/shadows/JudgeShadows.h>
 #include <grader/tests/support/LocalExaminee.h>
 

@@ -93,7 +93,7 @@ void expectZonesOfGeometry(const ShadowQuestion& drawn, std::uint64_t seed) {
     }
 }
 
-// Hits up to 0.02 before the light's ball may be ignored: some leave such a margin.
+// Code may ignore hits up to 0.02 before the light's ball: some submissions leave such a margin.
 TEST(SmallLights, AreInPlainSightOrHiddenFromEveryPoint) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Draw draw{seed, 77};
@@ -112,7 +112,7 @@ TEST(SmallLights, AreInPlainSightOrHiddenFromEveryPoint) {
     }
 }
 
-// Otherwise the cut of a large exponent would not show.
+// Otherwise code that cuts a large exponent off at 100 would not show.
 TEST(SmallLights, ShowAHighlightThatAnExponentOf100WouldMakeBrighter) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Draw draw{seed, 77};
@@ -130,7 +130,7 @@ TEST(SmallLights, ShowAHighlightThatAnExponentOf100WouldMakeBrighter) {
     }
 }
 
-// Shares that are rounded show only there: of 50 rays one or two are blocked, or arrive.
+// Code that rounds shares shows only there: of about 50 rays a few are blocked, or a few arrive.
 TEST(PenumbraEdges, HaveASmallShareOfTheLightHiddenOrVisible) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         Draw draw{seed, 77};

@@ -8,7 +8,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// One point of a floor with a ray, and a colour that is far off where `isOff`.
+/// Runs `check` on one point of a floor with one ray, whose colour is far off if `isOff`.
 bool judgeOnePoint(bool (*check)(const std::vector<const ShadowLog*>&, bool), Zone zone,
                    Sight sight, bool isOff) {
     ShadowByHand made;
@@ -43,7 +43,7 @@ TEST(LeaksAtTheStart, IsARayThatMeetsItsSurfaceAtALitPointInFullShadow) {
     EXPECT_FALSE(is(Zone::lit, Sight::unsure, true));
 }
 
-/// Points in two of four rays' light, with these shares of it.
+/// The message about points at which two of four rays arrive, with these shares of the light.
 std::string toldOf(const std::vector<double>& shares, const ColourRGB& tint = ColourRGB{0.0}) {
     ShadowByHand made;
     ShadowQuestion& asked = made.ask(ShadowQuestion::Purpose::oneLight);

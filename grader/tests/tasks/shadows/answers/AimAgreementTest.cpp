@@ -12,7 +12,8 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-/// Points under a far light, each with rays to these places beside its centre.
+/// Whether the rays of points under a far light go together. `aim` returns where each ray passes
+/// the light's centre, in radii.
 bool together(int points, int rays, const std::function<Vector3(int ray, Draw&)>& aim) {
     ShadowByHand made;
     made.ask(Purpose::farLight, {{0.0, 120.0, 0.0}});
@@ -29,7 +30,8 @@ Vector3 anywhere(int, Draw& draw) {
     return draw.direction();
 }
 
-/// Aims within `spread` of a half turn round one direction, a new one for every point.
+/// Aims on a circle, at most `spread` radians to either side of one direction, a new one for every
+/// point.
 std::function<Vector3(int, Draw&)> withinAngle(double spread) {
     return [spread, middle = 0.0](int ray, Draw& draw) mutable {
         if (ray == 0) middle = draw.between(0.0, 7.0);

@@ -11,8 +11,10 @@ namespace {
 
 const std::vector<Vector3> kOneWay{{0.0, 0.0, 1.0}};
 
-/// Whether the feet of 2000 aims that fill a ball, moved by a power of their radius, lie between
-/// those of the accepted shapes.
+/// Whether the feet of 2000 aims lie between those of the accepted shapes. The aims have random
+/// directions, and `size` times a power of an evenly drawn number as their radius: a power of 1/3
+/// fills a ball.
+/// @param widest  The largest distance of a foot that the verdict contains.
 bool isBetween(double power, double size = 1.0, double widest = 0.999) {
     Draw draw{5, 7};
     const Perpendiculars sides = perpendicularsOf(kOneWay[0]);

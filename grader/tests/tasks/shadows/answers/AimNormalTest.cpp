@@ -23,7 +23,7 @@ Vector3 drawInBall(Draw& draw) {
     return point;
 }
 
-/// Three far lights, aside of the normal, with 400 rays each.
+/// Three far lights that do not stand along the normal, with 400 rays each.
 void castFar(ShadowByHand& made, const Aim& aim) {
     Draw draw{7, 1};
     for (const Vector3& light :

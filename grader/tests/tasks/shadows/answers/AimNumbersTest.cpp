@@ -13,7 +13,8 @@
 namespace ticker::tasks {
 namespace {
 
-/// Aims in radii of the light: three far lights at right angles, 67 points with ten rays each.
+/// The verdict on aims at three far lights at right angles, from 67 points with ten rays each.
+/// `aim` returns aims in radii of the light.
 AimVerdict judge(const std::function<Vector3(int ray, Draw&)>& aim) {
     ShadowByHand made;
     Draw draw{4, 8};
@@ -46,7 +47,7 @@ TEST(AimsOf, AreTheLatticesPointsInOrder) {
         }
 }
 
-// Bounds are those of a chance below 1e-11 each.
+// A right shape exceeds each of the bounds with a chance below 1e-11.
 TEST(JudgeAims, AcceptsEveryShapeUnderItsName) {
     const AimVerdict ball = judge(inBall);
     EXPECT_EQ(ball.shape, AimShape::ball);
@@ -88,7 +89,7 @@ TEST(JudgeAims, SeesAimsThatLean) {
             return inBall(ray, draw) * 0.5 + Vector3{1.0, 0.0, 0.0} * by;
         });
     };
-    // Two of the three views see the whole of it.
+    // Two of the three views see the whole offset, the third sees none of it.
     EXPECT_NEAR(off(0.3).lean, 0.2, 0.02);
     EXPECT_TRUE(off(0.3).offCentre) << "the bound for 2010 lines is 0.18";
     EXPECT_FALSE(off(0.25).offCentre);

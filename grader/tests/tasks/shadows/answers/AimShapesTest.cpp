@@ -39,7 +39,7 @@ TEST(JudgeAims, AcceptsEveryDensityBetweenTheHelpersAndTheSurfaces) {
         }
 }
 
-// Pairs of opposite lines are half as many independent ones.
+// Lines in opposite pairs count as half as many independent ones.
 TEST(JudgeAims, AcceptsOppositePairsOnAFacingDisc) {
     const FacingAim disc = facingDisc([](double u) { return std::pow(u, 0.45); });
     int ray = 0;
@@ -53,8 +53,8 @@ TEST(JudgeAims, AcceptsOppositePairsOnAFacingDisc) {
         EXPECT_TRUE(judgeFacing(pairs, draw.direction(), seed).shapeIsRight()) << seed;
 }
 
-// Perspective moves the middle of two opposite lines, always to the same side
-// where the aim points crowd at two poles. Each is refused with a chance below 1e-6.
+// Perspective moves the middle of two opposite lines, and always to the same side where the aim
+// points crowd at two poles. Each is refused with a chance below 1e-6.
 TEST(JudgeAims, AcceptsOppositePairsOfTheOriginalsHelper) {
     int ray = 0;
     Vector3 last;

@@ -30,7 +30,8 @@ inline Vector3 polarHelper(Draw& draw) {
 /// Aim points that depend on the direction from the point to the light.
 using FacingAim = std::function<Vector3(Draw&, const Vector3&)>;
 
-/// Three far lights, seen along the given directions; ten rays from 67 points each.
+/// The verdict on aims at three far lights, which are seen along `axis` and two perpendicular
+/// directions, with ten rays from 67 points each.
 inline AimVerdict judgeFacing(const FacingAim& aim, const Vector3& axis, std::uint64_t seed) {
     Draw draw{seed, 1};
     const Perpendiculars sides = perpendicularsOf(axis);
@@ -69,6 +70,7 @@ inline AimVerdict judgeAlong(const Aim& aim, const Vector3& axis, std::uint64_t 
 
 /// A disc that faces the point; `radiusOf` maps a number between 0 and 1 to the distance from its
 /// centre.
+/// @param squeezed  Factor of one of the disc's two axes.
 inline FacingAim facingDisc(const std::function<double(double)>& radiusOf, double squeezed = 1.0) {
     return [=](Draw& draw, const Vector3& axis) {
         const Perpendiculars sides = perpendicularsOf(axis);

@@ -11,7 +11,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Each accepted decision is wrong with a chance below 1e-9.
+// Each of these decisions is wrong with a chance below 1e-9.
 TEST(JudgeAims, AcceptsTheBallFromEveryDirection) {
     Draw draw{11, 2};
     for (int i = 0; i < 60; ++i) {
@@ -23,7 +23,8 @@ TEST(JudgeAims, AcceptsTheBallFromEveryDirection) {
     }
 }
 
-// Along the line of sight feet have no extent: an axis there must not count as a wrong shape.
+// Feet have no extent along the line of sight: an axis of the world that lies there must not count
+// as a wrong shape.
 TEST(JudgeAims, AcceptsTheBallSeenAlongAnAxisAndNearIt) {
     for (const Vector3& axis :
          {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 1e-3}.normalised(),
@@ -105,7 +106,8 @@ TEST(JudgeAims, CatchesACubeADiscAndHalfABall) {
     }
 }
 
-// Over all points, ten rays of one point along one line fill the ball.
+// If the ten rays of each point lie along one line, the rays of all points together still fill the
+// ball.
 TEST(JudgeAims, WantsANewDirectionForEachRay) {
     for (const double low : {0.0, -1.0}) {
         int ray = 0;
