@@ -48,7 +48,7 @@ TEST(JsonValue, NamesFileLinePlaceAndWhatWasExpected) {
               "f:4: /a: expected no member of this na");
 }
 
-TEST(JsonValue, SpeaksInTheWordsOfItsFile) {
+TEST(JsonValue, UsesTheWordsGivenToParseInItsErrors) {
     const JsonValue top =
         JsonValue::parse("[{\"b\": 1, \"a\": 2}]", "f", {"all", "a member", true});
     EXPECT_EQ(complaint([&] { static_cast<void>(top.at("c")); }),

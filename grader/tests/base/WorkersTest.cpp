@@ -30,7 +30,7 @@ TEST(OnWorkers, BeginsNothingAfterAnErrorAndThrowsItAtTheEnd) {
     EXPECT_EQ(calls, 3);
 }
 
-TEST(SplitMix, GivesTheWordsOfItsAuthorsSource) {
+TEST(SplitMix, GivesTheNumbersOfTheReferenceImplementation) {
     std::uint64_t state = 1234567;
     EXPECT_EQ(splitMix(state), 6457827717110365317U);
     EXPECT_EQ(splitMix(state), 3203168211198807973U);

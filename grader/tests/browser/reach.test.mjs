@@ -44,7 +44,7 @@ test("a drawing has the width of its column where that is narrow, and its words 
   await page.close();
 });
 
-test("what has the focus is never under the bars", async () => {
+test("the element with the focus stays visible between the bars", async () => {
   for (const [width, height] of [[1280, 800], [390, 844]]) {
     const page = await openAt(offCentre, width, height);
     const hidden = [];

@@ -144,7 +144,7 @@ test("who overrules is asked for a reason, in one line", async () => {
   assert.match(await standing(), /not awarded decided: awarded against the proposal by Dee, .*“shown at the desk, with another map”/);
 });
 
-test("times are this machine's", async () => {
+test("times are shown in the browser's time zone", async () => {
   const time = page.locator(".standing time");
   const at = new Date(await time.getAttribute("datetime"));
   const here = at.toLocaleTimeString("en-GB", { timeZone: zone, timeStyle: "short" });
@@ -432,7 +432,7 @@ test("of two who decide, the second says whose holds", async () => {
   await page.unroute(/\/class\?/);
 });
 
-test("keys are told, and every button and key was used", async () => {
+test("the help lists the keys, and these tests have used every button, filter and key", async () => {
   await press("?");
   assert.equal(await dialog(), "help");
   const told = await page.locator("#help kbd").allTextContents();

@@ -161,7 +161,7 @@ sandbox::Outcome saysThatItWasKilled(std::uint64_t peakMemoryBytes, bool machine
     return outcome;
 }
 
-TEST(Build, TakesALostCompilerForOursOnlyWhereTheMachineRanOutOfMemoryByOthers) {
+TEST(Build, BlamesTheMachineForAKilledCompilerOnlyIfOtherProcessesUsedTheMemory) {
     const sandbox::Limits& limits = sandbox::defaultPolicy().compile;
     EXPECT_EQ(kindOf(saysThatItWasKilled(200'000'000, true), limits), Kind::ourFault);
     EXPECT_EQ(kindOf(saysThatItWasKilled(1'500'000'000, true), limits), Kind::limit);

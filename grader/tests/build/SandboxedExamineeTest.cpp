@@ -104,7 +104,7 @@ TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
     EXPECT_FALSE(probe::isUnanswered(answer.normals[2]));
 }
 
-TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
+TEST(SandboxedExaminee, NamesTheMemoryLimitAfterACrashNearIt) {
     const probe::Run run = askBumpySphere(
         "kept = new char[300'000'000];\n"
         "std::memset(kept, 1, 300'000'000);\n"
@@ -114,7 +114,7 @@ TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
     EXPECT_NE(run.end.detail.find("may have 400 MB"), std::string::npos) << run.end.detail;
 }
 
-TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
+TEST(SandboxedExaminee, SaysThatExitStatus126MayMeanThatTheProgramDidNotStart) {
     const probe::Run run = askBumpySphere("_exit(126);");
     EXPECT_NE(run.end.detail.find("not be started"), std::string::npos) << run.end.detail;
 }

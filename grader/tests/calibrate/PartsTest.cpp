@@ -85,7 +85,7 @@ private:
     Record record_{records_.path(), campaign_};
 };
 
-TEST_F(CopiedSources, AreOfTodaysCode) {
+TEST_F(CopiedSources, MatchTheirRecordWhileNothingHasChanged) {
     EXPECT_EQ(stale(), std::vector<std::string>{});
 }
 
@@ -141,7 +141,7 @@ TEST_F(CopiedSources, RefuseATableWithAPathThatIsGone) {
     EXPECT_THROW(Parts{root()}, raytracer::InputError);
 }
 
-TEST_F(CopiedSources, OfATaskWithoutARowAreThoseThatNoPartNames) {
+TEST_F(CopiedSources, OfATaskWithoutARowAreThoseOfTheRowForAnyOtherTask) {
     const fs::path table = root() / "grader/lab/calibrate/parts.json";
     const std::regex rows{R"re( *"(shadows|T2\.1)": \[[^\]]*\],\n)re"};
     const std::string text = std::regex_replace(readWhole(table), rows, "");

@@ -37,7 +37,7 @@ TEST(RunCampaign, RunsOnlyUnitsOfThatName) {
     EXPECT_EQ(campaign.runs, 11) << "1 and 10 to 19";
 }
 
-TEST(CheckCampaign, IsContentWithTheSameResultsAtAnotherCost) {
+TEST(CheckCampaign, AcceptsTheSameResultsInAnotherCpuTime) {
     const tests::TemporaryFolder folder;
     CountingCampaign campaign{4};
     Record record{folder.path(), campaign};

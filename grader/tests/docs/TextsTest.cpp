@@ -89,7 +89,7 @@ TEST(Texts, CiteEquationsThatTheHandoutHas) {
 }
 
 // Equation (1) has neither cross products nor signs to choose; it is right as printed.
-TEST(Texts, TakeTheFirstEquationForWhatItIs) {
+TEST(Texts, AscribeNoMistakeOrCrossProductToEquationOne) {
     static const std::regex kWrong{
         R"(Equation \(1\)[^.;]{0,90}(litera|printed|inverts|cross|n x |Bu goes))"};
     for (const std::string& name : texts())

@@ -28,7 +28,7 @@ RenderSettings small(int threads = 1) {
     return settings;
 }
 
-TEST(StudentWays, ToCountWithVectors) {
+TEST(StudentCode, CanCalculateWithVectors) {
     const Vector3 n{0, 1, 0};
     Vector3 v = 2.0 * n;
     EXPECT_EQ(v, Vector3(0, 2, 0));
@@ -49,7 +49,7 @@ TEST(StudentWays, ToCountWithVectors) {
     static_assert(kUp.dot(kUp) == 1.0);
 }
 
-TEST(StudentWays, DivisionIsTheSameHoweverItIsWritten) {
+TEST(StudentCode, GetsTheSameQuotientFromBothDivisionOperators) {
     Vector3 v{1, 2, 3};
     v /= 49;
     EXPECT_EQ(v, Vector3(1, 2, 3) / 49);
@@ -58,7 +58,7 @@ TEST(StudentWays, DivisionIsTheSameHoweverItIsWritten) {
     EXPECT_EQ(c, ColourRGB(1, 2, 3) / 49);
 }
 
-TEST(StudentWays, ToCountWithColours) {
+TEST(StudentCode, CanCalculateWithColours) {
     const PointLight light{{}, {0.5, 0.25, 1.0}, 1.0};
     ColourRGB sum{};
     EXPECT_EQ(sum, ColourRGB(0, 0, 0));
@@ -72,7 +72,7 @@ TEST(StudentWays, ToCountWithColours) {
     EXPECT_EQ(colour - colour, ColourRGB());
 }
 
-TEST(StudentWays, ToMakeRays) {
+TEST(StudentCode, CanMakeRaysWithBracesBracketsOrMembers) {
     const Vector3 a{1, 2, 3};
     const Vector3 b{0, 0, 2};
     const Ray braces{a, b};
@@ -86,7 +86,7 @@ TEST(StudentWays, ToMakeRays) {
     EXPECT_EQ(fromTemporaries.origin, Vector3(1, 2, 5));
 }
 
-TEST(StudentWays, ToLookAtAHit) {
+TEST(StudentCode, CanReadAHitAndAMiss) {
     const Scene scene{oneSphere()};
     auto hit = scene.findClosestIntersection(Ray{{}, {0, 0, 1}});
     ASSERT_TRUE(hit.has_value());
@@ -98,7 +98,7 @@ TEST(StudentWays, ToLookAtAHit) {
     EXPECT_EQ(scene.findClosestIntersection({{}, {0, 0, 2}})->distance, 2.0);
 }
 
-TEST(StudentWays, ToGoThroughTheLights) {
+TEST(StudentCode, CanLoopOverTheLightsWithOrWithoutAnIndex) {
     const Scene scene{oneSphere()};
     double red = 0.0;
     for (const auto& light : scene.pointLights())
@@ -110,7 +110,7 @@ TEST(StudentWays, ToGoThroughTheLights) {
     EXPECT_EQ(red, 6.0);
 }
 
-TEST(StudentWays, ToLoopOverThePixels) {
+TEST(StudentCode, GetsTheSamePixelsFromOneThreadOrSeveral) {
     const Camera camera{small()};
     Image plain{small()};
     for (int y = 0; y < plain.height(); ++y) {
@@ -138,7 +138,7 @@ TEST(StudentWays, ToLoopOverThePixels) {
     EXPECT_EQ(ownThreads.pixels(), plain.pixels());
 }
 
-TEST(StudentWays, ToShareASceneBetweenThreads) {
+TEST(StudentCode, CanShareASceneBetweenThreads) {
     const Scene scene{oneSphere()};
     std::array<int, 4> hits{};
     std::vector<std::thread> threads;
@@ -156,7 +156,7 @@ TEST(StudentWays, ToShareASceneBetweenThreads) {
         EXPECT_GT(count, 0);
 }
 
-TEST(StudentWays, ToReturnAnImageFromSettings) {
+TEST(StudentCode, CanReturnAnImageMadeFromSettings) {
     const auto make = [] {
         Image image(small());
         image.set(1, 1, ColourRGB(1, 0, 0));

@@ -92,7 +92,7 @@ TEST(CutDownload, DamageInsideAMemberIsNotItsOwners) {
     }
 }
 
-TEST(CutDownload, OfOneStudentIsDamagedWorkAsBefore) {
+TEST(CutDownload, OfOneStudentIsAFindingInThatStudentsWork) {
     const tests::TemporaryFolder folder;
     tests::writeZip(folder.path() / "ann.zip", {{"work/Renderer.cpp", noise(1)}});
     const std::string whole = bytesOf(folder.path() / "ann.zip");

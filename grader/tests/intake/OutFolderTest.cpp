@@ -85,7 +85,7 @@ TEST(OutFolder, IsNotMadeOfAStudentsFolderByAFileOfThatName) {
     EXPECT_EQ(classIn(folder.path(), folder.path() / "bob"), (ClassNames{"ann", "bob"}));
 }
 
-TEST(OutFolder, ThatIsNamedByItselfIsReadAsBefore) {
+TEST(OutFolder, GivenAsTheInputIsReadAsAClass) {
     const tests::TemporaryFolder folder;
     writeResults(folder, "out");
     folder.write("out/results.sqlite", "");

@@ -69,7 +69,7 @@ private:
 
 using Names = std::vector<std::string>;
 
-TEST_F(Unreadable, SourceIsNoLinkAndNoPipe) {
+TEST_F(Unreadable, SourceFileIsReportedWithItsPathAndTheReason) {
     folder_.write("ann/Renderer.cpp", "render");
     lock("ann/Renderer.cpp");
     EXPECT_EQ(complaintAbout(at("ann")), at("ann/Renderer.cpp").string() +
@@ -167,11 +167,11 @@ TEST_F(Unreadable, FolderThatIsSkippedIsNotCalledEmpty) {
 
 // A process may not read its own memory at address 0: the one file at hand that opens and then
 // fails like a bad disk.
-TEST_F(Unreadable, DiskIsNoDamageOfAnArchive) {
+TEST_F(Unreadable, DiskIsReportedInsteadOfADamagedArchive) {
     EXPECT_NE(complaint("/proc/self/mem").find("Input/output error"), std::string::npos);
 }
 
-TEST_F(Unreadable, DiskIsNoFaultOfASourceFile) {
+TEST_F(Unreadable, DiskIsReportedInsteadOfAFaultOfASourceFile) {
     const fs::path file = folder_.write("ann/Renderer.cpp", "");
     if (mount("/proc/self/mem", file.c_str(), nullptr, MS_BIND, nullptr) != 0)
         GTEST_SKIP() << "no mount of its own to be had here";

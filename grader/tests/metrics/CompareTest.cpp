@@ -55,7 +55,7 @@ TEST(Compare, TakesNoDetailForNoise) {
     EXPECT_NE(comparison.sketch.find('~'), std::string::npos) << comparison.sketch;
 }
 
-TEST(Compare, CallsAFewPixelsOfSmoothPicturesWhatTheyAre) {
+TEST(Compare, CallsOneChangedPixelNearlyEqualAndSixteenDifferent) {
     Picture edited = gradient();
     edited.rgb[(30 * 96 + 40) * 3] ^= 64U;
     EXPECT_EQ(summaryOf(gradient(), edited).rfind("nearly equal: 1 of 6144 pixels differ", 0), 0U);
@@ -78,7 +78,7 @@ TEST(Compare, NamesEachRowOnce) {
         EXPECT_NE(text.find(row.title), std::string::npos) << row.title;
 }
 
-TEST(Score, OfEqualPicturesIsThatOfEqualPictures) {
+TEST(Score, OfEqualPicturesIsPerfectInEveryMetric) {
     const Scores scores = score(gradient().view(), gradient().view());
     EXPECT_EQ(scores.flip, 0.0);
     EXPECT_NEAR(scores.ssim, 1.0, 1e-6);

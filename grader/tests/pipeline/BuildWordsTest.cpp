@@ -73,7 +73,7 @@ TEST(BuildWords, NameTheFunctionThatALinkerMisses) {
 }
 
 // More than a program may have, but still within the linker's limits.
-TEST(BuildWords, SayOfStaticDataThatNoProgramCanBeStartedWithHowMuchItIs) {
+TEST(BuildWords, SayHowMuchMemoryTooLargeStaticDataTakes) {
     const SubmissionResult result = gradeBumpySphere(
         referenceAfter("char room[1'700'000'000];\nchar* roomEnd() { return room + 5; }\n"));
     const Finding& finding = onlyFinding(result);

@@ -60,7 +60,7 @@ TEST(Dishonest, CodeCannotTellWhetherItIsObserved) {
     EXPECT_LT(result.renders[0].flip, 0.04);
 }
 
-TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
+TEST(Dishonest, BumpsOnLargeSpheresAloneFail) {
     intake::Submission work;
     work.name = "somebody";
     work.parts["BumpySphere.cpp"] =
@@ -80,7 +80,7 @@ SubmissionResult gradeBumps(const std::string& atTheBeginning) {
 }
 
 // If the spheres of questions had a material that no scene has, code could tell them by it.
-TEST(Dishonest, BumpsOnSpheresWithoutAMaterialAreNone) {
+TEST(Dishonest, BumpsOnBlackSpheresAloneFail) {
     const SubmissionResult result =
         gradeBumps("if (colour().r > 0.0) return Sphere::getNormalAt(position);");
     EXPECT_EQ(taskOf(result, "T1").state, TaskState::failed);
@@ -135,7 +135,7 @@ TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
     EXPECT_EQ(taskOf(spared, "T2.1").state, TaskState::passed) << "nothing comes from there";
 }
 
-TEST(DoubtPicture, HasNothingToAddToAFailure) {
+TEST(DoubtPicture, AddsAFindingOnlyIfBothTasksPassed) {
     for (const auto& [shadows, lens] : {std::pair{TaskState::failed, TaskState::passed},
                                         std::pair{TaskState::passed, TaskState::failed},
                                         std::pair{TaskState::passed, TaskState::notAttempted}}) {

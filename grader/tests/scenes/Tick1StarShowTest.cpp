@@ -174,7 +174,7 @@ TEST_F(Tick1StarShows, HowFarTwoPicturesAreApart) {
     EXPECT_EQ(readImage(file("b-difference.png")).width, 64);
 }
 
-TEST_F(Tick1StarShows, WhatIsWrongWithAComparison) {
+TEST_F(Tick1StarShows, AnErrorIfTheOtherPictureIsMissingOrOfAnotherSize) {
     const ProgramResult missing =
         run({"-i", kScenes + "distributed.xml", "-o", file("a.png"), "--compare", file("no.png")});
     EXPECT_EQ(missing.exitCode, 2);
