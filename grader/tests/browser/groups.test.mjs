@@ -206,6 +206,17 @@ test("the address says what the list shows, in which order, and what fills the p
   await page.close();
 });
 
+/// The class page on disk as soon as it has this text, and after half a minute as it is: the session writes it anew
+/// every few seconds.
+async function classPageWith(page, out, text) {
+  const deadline = Date.now() + 30_000;
+  for (;;) {
+    const html = readFileSync(join(out, "index.html"), "utf8");
+    if (html.includes(text) || Date.now() >= deadline) return html;
+    await page.waitForTimeout(200);
+  }
+}
+
 test("the class page and the session show the same numbers after random decisions", async () => {
   const out = makeClass(40);
   const session = await startSession(out);
@@ -225,9 +236,7 @@ test("the class page and the session show the same numbers after random decision
     const [decided, proposed] = await page.locator("main .counts").allTextContents();
     const found = await page.locator("main table", { hasText: "Most frequent findings" }).locator("tbody tr")
       .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
-    const inTime = Date.now() + 30_000; // the session writes the class page anew every few seconds
-    let html;
-    do html = readFileSync(join(out, "index.html"), "utf8"); while (!html.includes(`>${decided}<`) && Date.now() < inTime && (await page.waitForTimeout(200), true));
+    const html = await classPageWith(page, out, `>${decided}<`);
     assert.ok(html.includes(`<span id="decided">${decided}</span>`), decided);
     for (const [, count, word] of proposed.matchAll(/(\d+) ([a-z ]+)/g))
       assert.match(html, new RegExp(`<strong>${count}</strong> ${word.replace(/needs? a look/, "needs? a look")}<`));
