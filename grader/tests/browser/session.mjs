@@ -79,6 +79,14 @@ export const showing = (page, name) => page.waitForFunction((wanted) =>
 export const saved = (page) =>
   page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
 
+/// Decides with a key, and types a reason where the page asks for one.
+export async function decide(page, key, why = "as shown at the desk") {
+  await page.keyboard.press(key);
+  if (await page.locator("#ask[open]").count() === 0) return;
+  await page.keyboard.type(why);
+  await page.keyboard.press("Enter");
+}
+
 /// What another process finds on disk: the rows of the class's table by submission, {verdict, ruling,
 /// decidedBy, decidedAt, comment, ...}.
 export const onDisk = (out) =>

@@ -5,7 +5,7 @@ import { copyFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { accessibilityFaults, launchBrowser } from "./harness.mjs";
-import { isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession } from "./session.mjs";
+import { decide, isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession } from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -13,14 +13,6 @@ after(async () => {
   await browser.close();
   killSessions();
 });
-
-/// Decides with a key, and types a reason where the page asks for one.
-async function decide(page, key, why = "as shown at the desk") {
-  await page.keyboard.press(key);
-  if (await page.locator("#ask[open]").count() === 0) return;
-  await page.keyboard.type(why);
-  await page.keyboard.press("Enter");
-}
 
 /// The newest ruling of each decided submission by name, as the session returns it.
 async function rulings(session) {
@@ -51,7 +43,7 @@ test("the page is quiet, accessible and shows pictures, findings and code", asyn
 
 test("many decisions by keyboard, the session killed in between, none lost", async (t) => {
   const count = isSlowRun ? 100 : 40;
-  const [first, second] = [0.3 * count, 0.7 * count]; // when it is killed
+  const [killedAt, killedAndClosedAt] = [0.3 * count, 0.7 * count];
   const out = makeClass(count);
   let session = await startSession(out);
   let { page } = await openSession(browser, session);
@@ -63,12 +55,20 @@ test("many decisions by keyboard, the session killed in between, none lost", asy
     name = await shown(page, name);
     const key = i % 3 === 0 ? "n" : "a";
     meant[name] = key === "a" ? "awarded" : "notYet";
-    if (i === first || i === second) await session.kill();
-    await decide(page, key); // with the session killed, this decision waits in the browser
-    if (i === second) await page.close(); // now only the browser's storage has that decision
-    if (i === first || i === second) session = await startSession(out);
-    if (i === second) ({ page } = await openSession(browser, session));
-    if (i === second) name = undefined;
+    if (i === killedAt) {
+      await session.kill();
+      await decide(page, key); // waits in the browser for a session
+      session = await startSession(out);
+    } else if (i === killedAndClosedAt) {
+      await session.kill();
+      await decide(page, key);
+      await page.close(); // now only the browser's storage has that decision
+      session = await startSession(out);
+      ({ page } = await openSession(browser, session));
+      name = undefined; // the new page may begin with any submission
+    } else {
+      await decide(page, key);
+    }
   }
   await page.getByRole("heading", { name: "All are decided" }).waitFor();
   await saved(page);
