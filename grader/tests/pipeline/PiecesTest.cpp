@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <future>
 #include <limits>
@@ -38,8 +39,8 @@ std::shared_future<Expectation> lookOf(double brightness) {
     return promise.get_future().share();
 }
 
-/// Which of the looks fits a picture of brightness 0 best, how many were tried, and whether the fit
-/// leaves no doubt. With a variance of 1 a look's misfit is the square of its brightness.
+/// Which of the looks fits a black picture best, how many were tried, and whether the fit leaves no
+/// doubt. With a variance of 1 a look's misfit is the square of its brightness.
 struct Chosen {
     std::size_t look;
     std::size_t tried;
@@ -48,7 +49,8 @@ struct Chosen {
     bool operator==(const Chosen&) const = default;
 };
 
-Chosen choose(const std::vector<Look>& looks, Rays rays = Rays::handout) {
+/// A random scene whose accepted readings give these looks.
+SpecScene sceneOf(const std::vector<Look>& looks) {
     SpecScene scene;
     scene.isRandom = true;
     // As many rays as a picture of few rays has, so that both have the same noise.
@@ -58,15 +60,31 @@ Chosen choose(const std::vector<Look>& looks, Rays rays = Rays::handout) {
         scene.readings.emplace_back();
         scene.readings.back().apertureFactor = look.apertureFactor;
     }
+    return scene;
+}
+
+probe::RenderAnswer blackPicture() {
     probe::RenderAnswer answer;
     answer.width = answer.height = kSide;
     answer.images = {std::vector<probe::ColourRGB>(kSide * kSide)};
-    const Fit fit = bestFit(scene, answer, rays);
-    std::size_t look = 0;
-    while (scene.expectations.at(look).get().brightness.mean.values !=
-           fit.expected->brightness.mean.values)
-        ++look;
-    return {look, fit.misfits.size(), fit.isClear};
+    return answer;
+}
+
+/// The first of the scene's looks that has the brightness of this expectation.
+std::size_t indexOf(const SpecScene& scene, const Expectation& expected) {
+    const auto brightnessesOf = [](const Expectation& any) -> const std::vector<float>& {
+        return any.brightness.mean.values;
+    };
+    const auto found = std::ranges::find_if(scene.expectations, [&](const auto& each) {
+        return brightnessesOf(each.get()) == brightnessesOf(expected);
+    });
+    return static_cast<std::size_t>(found - scene.expectations.begin());
+}
+
+Chosen choose(const std::vector<Look>& looks, Rays rays = Rays::handout) {
+    const SpecScene scene = sceneOf(looks);
+    const Fit fit = bestFit(scene, blackPicture(), rays);
+    return {indexOf(scene, *fit.expected), fit.misfits.size(), fit.isClear};
 }
 
 TEST(BestFit, StopsAtTheFirstLookThatFits) {
