@@ -63,25 +63,41 @@ protected:
 
     // True when the sleeper has begun.
     [[nodiscard]] bool hasBegun(int waitMs) {
-        pollfd polled{pipe_.get(), POLLIN, 0};
         char byte = 0;
-        return poll(&polled, 1, waitMs) == 1 && read(pipe_.get(), &byte, 1) == 1;
+        return canReadPipe(waitMs) && read(pipe_.get(), &byte, 1) == 1;
     }
 
     [[nodiscard]] bool allHaveEnded() {
+        if (!reachesEndOfPipe()) return false;
+        // A helper that was just being started holds no pipe: it ends at once.
+        waitForChildren();
+        return true;
+    }
+
+private:
+    // True when the pipe has bytes or its end within this time.
+    [[nodiscard]] bool canReadPipe(int waitMs) {
         pollfd polled{pipe_.get(), POLLIN, 0};
-        std::array<char, 8> bytes{};
-        while (poll(&polled, 1, kPatienceMs) == 1) {
-            if (read(pipe_.get(), bytes.data(), bytes.size()) != 0) continue;
-            // A helper that was just being started holds no pipe: it ends at once.
-            while (waitpid(-1, nullptr, 0) > 0) {
-            }
-            return true;
+        return poll(&polled, 1, waitMs) == 1;
+    }
+
+    // Drops what sleepers wrote, until nobody holds the pipe's other end. False when nothing comes
+    // for too long.
+    [[nodiscard]] bool reachesEndOfPipe() {
+        std::array<char, 8> dropped{};
+        while (canReadPipe(kPatienceMs)) {
+            const bool isEnd = read(pipe_.get(), dropped.data(), dropped.size()) == 0;
+            if (isEnd) return true;
         }
         return false;
     }
 
-private:
+    // Waits for the victim's orphans, which this process has adopted.
+    static void waitForChildren() {
+        while (waitpid(-1, nullptr, 0) > 0) {
+        }
+    }
+
     FileDescriptor pipe_;
     pid_t victim_ = -1;
 };
