@@ -66,8 +66,61 @@ std::time_t timeOf(const std::string& date) {
     return timegm(&parts);
 }
 
+constexpr std::string_view kIdentifierWord = "Participant ";
+
 std::string identifierOf(int id) {
-    return "Participant " + std::to_string(id);
+    return std::string{kIdentifierWord} + std::to_string(id);
+}
+
+/// The number after the word; 0 if there is none.
+int participantOf(const std::string& identifier) {
+    const std::size_t begin = std::min(kIdentifierWord.size(), identifier.size());
+    return std::atoi(identifier.substr(begin).c_str());
+}
+
+/// Places in a row of a worksheet of what Moodle reads.
+struct Columns {
+    explicit Columns(const std::vector<std::string>& header)
+        : identifier(columnOf(header, "Identifier")),
+          grade(columnOf(header, "Grade")),
+          modified(columnOf(header, "Last modified (grade)")),
+          feedback(columnOf(header, "Feedback comments")) {}
+
+    std::size_t identifier;
+    std::size_t grade;
+    std::size_t modified;
+    std::size_t feedback;
+};
+
+bool isGrade(const MoodleAssignment& assignment, const std::string& text) {
+    if (text.empty()) return false;
+    if (!assignment.scale.empty())
+        return std::ranges::find(assignment.scale, text) != assignment.scale.end();
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (*end != '\0' || number < 0.0) return false;
+    return !(assignment.dropsZeros && number == 0.0);
+}
+
+bool isOutOfRange(const MoodleAssignment& assignment, const std::string& grade) {
+    return assignment.scale.empty() && std::strtod(grade.c_str(), nullptr) > assignment.maximum;
+}
+
+/// Whether Moodle has a later grade than the worksheet. A worksheet's dates have no seconds.
+bool isStale(const MoodleRecord& record, const std::string& modified) {
+    constexpr std::time_t kMinute = 60;
+    return record.gradedAt > timeOf(modified) + kMinute;
+}
+
+MoodleAssignment::Row outcomeOf(const MoodleAssignment& assignment, const MoodleRecord& record,
+                                const std::string& grade, bool stale) {
+    using Row = MoodleAssignment::Row;
+    if (!isGrade(assignment, grade)) return Row::noGrade;
+    if (grade == record.grade) return Row::sameGrade;
+    if (stale) return Row::stale;
+    if (record.locked) return Row::locked;
+    if (isOutOfRange(assignment, grade)) return Row::outOfRange;
+    return Row::taken;
 }
 
 }  // namespace
@@ -125,46 +178,26 @@ std::string MoodleAssignment::worksheet(const std::vector<MoodleStudent>& studen
 std::map<std::string, MoodleAssignment::Row> MoodleAssignment::upload(std::string_view csv,
                                                                       std::time_t now) {
     const auto rows = readLikePhp(csv);
-    const std::size_t id = columnOf(rows.at(0), "Identifier");
-    const std::size_t grade = columnOf(rows.at(0), "Grade");
-    const std::size_t modified = columnOf(rows.at(0), "Last modified (grade)");
-    const std::size_t feedback = columnOf(rows.at(0), "Feedback comments");
+    const Columns columns{rows.at(0)};
     std::map<std::string, Row> fared;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const std::string& name = rows[i].at(id);
-        Row& row = fared[name];
-        const int participant =
-            std::atoi(name.substr(std::min<std::size_t>(12, name.size())).c_str());
-        const auto known = records.find(participant);
+        const std::string& identifier = rows[i].at(columns.identifier);
+        const auto known = records.find(participantOf(identifier));
         if (known == records.end()) {
-            row = Row::unknownPerson;
+            fared[identifier] = Row::unknownPerson;
             continue;
         }
         MoodleRecord& record = known->second;
-        const std::string& wanted = rows[i].at(grade);
-        const bool isWord = std::ranges::find(scale, wanted) != scale.end();
-        const bool stale = record.gradedAt > timeOf(rows[i].at(modified)) + 60;
-        char* end = nullptr;
-        const double number = std::strtod(wanted.c_str(), &end);
-        const bool isDropped = dropsZeros && scale.empty() && number == 0.0;
-        if (wanted.empty() || isDropped || (scale.empty() ? *end != '\0' || number < 0.0 : !isWord))
-            row = Row::noGrade;
-        else if (wanted == record.grade)
-            row = Row::sameGrade;
-        else if (stale)
-            row = Row::stale;
-        else if (record.locked)
-            row = Row::locked;
-        else if (scale.empty() && number > maximum)
-            row = Row::outOfRange;
-        else
-            row = Row::taken;
-        if (row == Row::taken) {
-            record.grade = wanted;
+        const std::string& grade = rows[i].at(columns.grade);
+        const bool stale = isStale(record, rows[i].at(columns.modified));
+        const Row outcome = outcomeOf(*this, record, grade, stale);
+        fared[identifier] = outcome;
+        if (outcome == Row::taken) {
+            record.grade = grade;
             record.gradedAt = now;
         }
         // Moodle overlooks a column of comments whose index is 0.
-        if (!stale && feedback > 0) record.feedback = rows[i].at(feedback);
+        if (!stale && columns.feedback > 0) record.feedback = rows[i].at(columns.feedback);
     }
     return fared;
 }
