@@ -17,6 +17,8 @@ using raytracer::Vector3;
 // Means in single precision, a few hundred paths.
 constexpr double kFloatError = 1e-5;
 
+constexpr double kAmbient = 0.1;
+
 /// One pixel that looks straight ahead, with a tiny lens.
 RenderSettings onePixel() {
     RenderSettings settings;
@@ -29,7 +31,7 @@ RenderSettings onePixel() {
 /// A matt white wall at z = 5 that faces the camera and is lit by one light in front of it.
 SceneDescription wallScene(const Vector3& light, double intensity) {
     SceneDescription scene;
-    scene.ambientLighting = raytracer::ColourRGB{0.1};
+    scene.ambientLighting = raytracer::ColourRGB{kAmbient};
     scene.pointLights.emplace_back(light, raytracer::ColourRGB{1.0}, intensity);
     scene.planes = {plane({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0}, 0xffffff)};
     scene.planes[0].material.phongKS = 0.0;
@@ -55,7 +57,7 @@ double diffuseAtWall(const Vector3& light, double intensity) {
 TEST(OracleAnalytic, UnoccludedLightIsPhongsFormulaWithoutNoise) {
     const Vector3 light{1.0, 2.0, 1.0};
     const Moments moments = momentsWith(wallScene(light, 200.0), onePixel(), true, 64);
-    EXPECT_NEAR(moments.mean[0].g, 0.1 + diffuseAtWall(light, 200.0), kFloatError);
+    EXPECT_NEAR(moments.mean[0].g, kAmbient + diffuseAtWall(light, 200.0), kFloatError);
     EXPECT_NEAR(moments.covariance[0].gg, 0.0, 1e-10);
 }
 
@@ -64,7 +66,7 @@ TEST(OracleAnalytic, FullShadowLeavesTheAmbientLight) {
     scene.spheres = {sphere({0.3, 0.3, 2.6}, 0.35, 0xffffff)};
     for (const bool closed : {true, false}) {
         const Moments moments = momentsWith(scene, onePixel(), closed, 64);
-        EXPECT_NEAR(moments.mean[0].g, 0.1, kFloatError);
+        EXPECT_NEAR(moments.mean[0].g, kAmbient, kFloatError);
         EXPECT_NEAR(moments.covariance[0].gg, 0.0, 1e-10);
     }
 }
@@ -82,44 +84,61 @@ TEST(OracleAnalytic, PlaneThroughTheLightHidesACapOfIt) {
         const double share = 0.25 * (1.0 + s) * (1.0 + s) * (2.0 - s);
         const double full = diffuseAtWall(light, 200.0);
         const Moments exact = momentsWith(scene, onePixel(), true, 64);
-        EXPECT_NEAR(exact.mean[0].g, 0.1 + full * share, kFloatError);
+        EXPECT_NEAR(exact.mean[0].g, kAmbient + full * share, kFloatError);
         // 10 shadow rays for each of 50 lens paths.
         EXPECT_NEAR(exact.covariance[0].gg, full * full * share * (1.0 - share) / 500.0, 1e-7);
         // 65536 paths with two rays: even random points would be 0.0014 off at most (1 sigma);
         // 5 sigma, false alarm below 1e-6.
         const Moments sampled = momentsWith(scene, onePixel(), false, 1 << 16);
-        EXPECT_NEAR(sampled.mean[0].g, 0.1 + full * share, 0.0014 * 5.0 * full);
+        EXPECT_NEAR(sampled.mean[0].g, kAmbient + full * share, 0.0014 * 5.0 * full);
         EXPECT_NEAR(sampled.covariance[0].gg, full * full * share * (1.0 - share) / 500.0,
                     0.01 * full * full / 500.0);
     }
 }
 
-// A sphere so large that its rim is straight across a small and distant light: the penumbra of a
-// half-plane, (2 + s) (1 - s)^2 / 4 of the ball hidden where the edge is s radii off its centre.
-// The ball's perspective and the rim's bend are below 1 % of it (light's half-angle 0.008, rim's
-// radius 2500 times the penumbra's).
+// The share of a small and distant ball of light that a half-plane hides whose edge is s radii off
+// the ball's centre.
+double hiddenByHalfPlane(double s) {
+    return 0.25 * (2.0 + s) * (1.0 - s) * (1.0 - s);
+}
+
+constexpr double kOccluderRadius = 20.0;
+constexpr double kOccluderDistance = 22.0;
+
+// A black sphere whose rim, seen from a point that looks along -z, stands at this angle from the
+// axis; it covers the side of the axis with positive x.
+raytracer::SphereDescription sphereWithRimAt(const Vector3& point, double angle) {
+    const double halfWidth = std::asin(kOccluderRadius / kOccluderDistance);
+    const double centre = halfWidth + angle;
+    const Vector3 direction{std::sin(centre), 0.0, -std::cos(centre)};
+    return sphere(point + direction * kOccluderDistance, kOccluderRadius, 0);
+}
+
+// A sphere so large that its rim is straight across a small and distant light has the penumbra of a
+// half-plane. The ball's perspective and the rim's bend are below 1 % of it (light's half-angle
+// 0.008, rim's radius 2500 times the penumbra's).
 TEST(OracleAnalytic, StraightEdgeCastsTheHalfPlanesPenumbra) {
     const Vector3 point{0.0, 0.0, 5.0};
-    const Vector3 light{0.0, 0.0, -45.0};
+    constexpr double kLightDistance = 50.0;
+    constexpr double kIntensity = 2e4;
+    constexpr double kPenumbraError = 0.01;
+    constexpr int kPaths = 64;
+    const Vector3 light = point - Vector3{0.0, 0.0, kLightDistance};
+    RenderSettings settings = onePixel();
+    settings.dofFocalPlane = point.z;
+    // The lens is moved to a place from which the sphere does not hide the wall.
+    constexpr double kLensX = -9.0;
+    Mistake mistake;
+    mistake.lensOffsetX = kLensX / settings.dofAmount;
+    Precision precision;
+    precision.minLensPaths = precision.maxLensPaths = kPaths;
+    const double full = diffuseAtWall(light, kIntensity);
     for (const double s : {-0.8, -0.3, 0.0, 0.4, 0.9}) {
-        SceneDescription scene = wallScene(light, 2e4);
-        const double radius = 20.0;
-        const double depth = 22.0;
-        const double half = std::asin(radius / depth);
-        const double angle = half + s * 0.4 / 50.0;
-        scene.spheres = {
-            sphere(point + Vector3{std::sin(angle), 0.0, -std::cos(angle)} * depth, radius, 0)};
-        RenderSettings settings = onePixel();
-        // The lens is moved to a place from which the sphere does not hide the wall.
-        Mistake mistake;
-        mistake.lensOffsetX = -9.0 / settings.dofAmount;
-        settings.dofFocalPlane = 5.0;
-        Precision precision;
-        precision.minLensPaths = precision.maxLensPaths = 64;
+        SceneDescription scene = wallScene(light, kIntensity);
+        scene.spheres = {sphereWithRimAt(point, s * settings.lightSize / kLightDistance)};
         const Moments moments = Oracle{scene, settings, {}, mistake}.moments(5, precision);
-        const double hidden = 0.25 * (2.0 + s) * (1.0 - s) * (1.0 - s);
-        const double full = diffuseAtWall(light, 2e4);
-        EXPECT_NEAR((moments.mean[0].g - 0.1) / full, 1.0 - hidden, 0.01) << "s = " << s;
+        const double lit = (moments.mean[0].g - kAmbient) / full;
+        EXPECT_NEAR(lit, 1.0 - hiddenByHalfPlane(s), kPenumbraError) << "s = " << s;
     }
 }
 
@@ -129,7 +148,7 @@ TEST(OracleAnalytic, WhatLiesOnTheFocalPlaneIsSharp) {
     settings.dofFocalPlane = 5.0;
     const Vector3 light{0.7, 1.5, 1.0};
     const Moments moments = momentsWith(wallScene(light, 200.0), settings, true, 256);
-    EXPECT_NEAR(moments.mean[0].g, 0.1 + diffuseAtWall(light, 200.0), kFloatError);
+    EXPECT_NEAR(moments.mean[0].g, kAmbient + diffuseAtWall(light, 200.0), kFloatError);
     EXPECT_NEAR(moments.covariance[0].gg, 0.0, 1e-9);
     settings.dofFocalPlane = 4.0;
     const Moments blurred = momentsWith(wallScene(light, 200.0), settings, true, 256);
