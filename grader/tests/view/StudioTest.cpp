@@ -99,13 +99,16 @@ TEST(Studio, ShowsThePictureOfASolution) {
     EXPECT_EQ(studio.pinhole().payload.size(), std::size_t{48} * 32 * 3);
 }
 
+/// A command that prints a part of picture 1 as a worker does: the number of its bytes, and these.
+std::string printPart(const std::string& bytes) {
+    return "printf 'part 1 %s\\n%s' " + std::to_string(bytes.size()) + " '" + bytes + "'\n";
+}
+
 TEST(Studio, LeavesOutAPartWithoutItsPlace) {
-    FakeKit kit{R"(read -r line
-printf 'part 1 11\n0 0 1 1\nrgb'
-printf 'part 1 8\nno place'
-printf 'part 1 35\n0 0 640 480 160 120 0 0 1 of 4 rays'
-printf 'part 1 41\n3 4 640 480 160 120 0 1.5 1 of 4 rays\nrgb'
-exec cat > /dev/null)"};
+    const std::string place = "3 4 640 480 160 120 0 1.5 1 of 4 rays\n";
+    FakeKit kit{"read -r line\n" + printPart("0 0 1 1\nrgb") + printPart("no place") +
+                printPart("0 0 640 480 160 120 0 0 1 of 4 rays") + printPart(place + "rgb") +
+                "exec cat > /dev/null"};
     Studio studio{kit.home(), optionsOf(kit, "room.xml")};
     const Json all =
         waitFor(studio.board(), [](const Json& news) { return !news["pieces"].empty(); });
@@ -160,9 +163,7 @@ TEST(Studio, GoesOnWithAPictureThatASaveInterrupted) {
 }
 
 TEST(Studio, RendersNoWholePictureAgainAfterASaveThatDoesNotCompile) {
-    FakeKit kit{R"(read -r line
-printf 'part 1 20\n0 0 1 1 1 1 1 0 \nrgb'
-exec cat > /dev/null)"};
+    FakeKit kit{"read -r line\n" + printPart("0 0 1 1 1 1 1 0 \nrgb") + "exec cat > /dev/null"};
     refuseAllFiles(kit);
     Studio studio{kit.home(), optionsOf(kit, "room.xml")};
     EXPECT_FALSE(waitFor(studio.board(), [](const Json& news) {
