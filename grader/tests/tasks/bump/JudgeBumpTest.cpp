@@ -45,7 +45,7 @@ TEST(JudgeBump, PassesARightReadingInOneRunWithoutFindings) {
     EXPECT_EQ(examinee.runs(), 1);
 }
 
-TEST(JudgeBump, NeedsTwoRunsAtMost) {
+TEST(JudgeBump, AsksCodeWithAMistakeInTwoRuns) {
     FunctionExaminee examinee(
         [](const Point& point) { return modelNormal({}, Mistake::inverted, point); });
     (void)judgeBump(examinee, 1);

@@ -136,7 +136,7 @@ TEST(TangentsInDegrees, AreThoseOfALongitudeThatGrowsFiftySevenTimesAsFast) {
     }
 }
 
-TEST(TangentsInDegrees, AreNoneWhereATurnExplainsThem) {
+TEST(TangentsInDegrees, AreToldFromATurnAndFromAnotherFactor) {
     const Response turned = withTangentsAt([](double u) { return u + 0.25; });
     EXPECT_NEAR(turned.tangentTurn, 90.0, 10.0);
     EXPECT_FALSE(turned.tangentsInDegrees);

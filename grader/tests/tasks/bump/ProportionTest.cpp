@@ -188,7 +188,7 @@ TEST(JudgeBump, SaysHowManyTimesBrightTexelsTilt) {
     }
 }
 
-TEST(ReadProportion, LeavesSmoothSpheresToOthers) {
+TEST(ReadProportion, IsGoodForASmoothSphere) {
     EXPECT_EQ(proportionOf(tests::smooth).brightOverDark, 1.0);
     EXPECT_EQ(growthOf(tests::smooth), ProportionPlan::kTimes);
 }

@@ -149,7 +149,7 @@ TEST(ReadBalance, SaysWhetherRisesOrFallsAreLeft) {
     EXPECT_FALSE((StepBalance{0.0, -0.41}.goodV()));
 }
 
-TEST(ReadBalance, LeavesSmoothSpheresToOthers) {
+TEST(ReadBalance, IsEvenForASmoothSphere) {
     Questionnaire questionnaire;
     tasks::bump::Draws draws(4);
     const auto plan = planProportion(questionnaire, draws, {{0.0, 0.0, 20.0}, 12.0});

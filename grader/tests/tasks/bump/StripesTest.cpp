@@ -88,7 +88,7 @@ TEST(ReadStripes, AgreeForAcceptedReadings) {
     }
 }
 
-TEST(ReadStripes, LeaveSmoothSpheresToOthers) {
+TEST(ReadStripes, AgreeForASmoothSphere) {
     EXPECT_TRUE(stripesOf(smooth, 4).good());
 }
 

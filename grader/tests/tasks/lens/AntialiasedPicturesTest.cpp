@@ -82,7 +82,7 @@ TEST(AntialiasedPictures, LeaveRoomBetweenTwoSizesOfTheSearch) {
     }
 }
 
-TEST(AntialiasedPictures, AreNoOthers) {
+TEST(JudgePictures, ReadsAPixelSpreadOfZeroWithoutAntialiasing) {
     EXPECT_EQ(verdictOn({}, {}, 4).reading.pixelSpread, 0.0);
 }
 

@@ -92,20 +92,20 @@ TEST(Average, HoldsInEveryChannelUpToSinglePrecision) {
         }
 }
 
-TEST(Average, IsMultipliedByAFactor) {
+TEST(CheckAverage, SaysByWhichFactorTheMeanIsMultiplied) {
     const auto finding = judgeAverageOf([](const Values& values) { return meanOf(values) * 0.7; });
     ASSERT_TRUE(says(finding, "0.7 times"));
     EXPECT_NEAR(numberIn(*finding, "factor"), 0.7, 1e-9);
 }
 
-TEST(Average, IsOneRayAlone) {
+TEST(CheckAverage, SaysThatTheColourIsThatOfOneRay) {
     EXPECT_TRUE(
         says(judgeAverageOf([](const Values& values) { return values.back(); }), "last ray"));
     EXPECT_TRUE(
         says(judgeAverageOf([](const Values& values) { return values.front(); }), "first ray"));
 }
 
-TEST(Average, IsOneRayAloneDividedByTheirNumber) {
+TEST(CheckAverage, SaysThatTheColourIsThatOfOneRayDividedByTheNumberOfRays) {
     const auto part = [](const ColourRGB& one, const Values& values) {
         return one / static_cast<double>(values.size());
     };
@@ -115,7 +115,7 @@ TEST(Average, IsOneRayAloneDividedByTheirNumber) {
                      "of the first ray alone, divided by"));
 }
 
-TEST(Average, LacksOneRayThatItsNumberCounts) {
+TEST(CheckAverage, SaysWhichRayTheSumLeavesOutAlthoughTheDivisorCountsIt) {
     const auto without = [](bool first) {
         return judgeAverageOf([=](const Values& values) {
             ColourRGB sum;
@@ -128,7 +128,7 @@ TEST(Average, LacksOneRayThatItsNumberCounts) {
     EXPECT_TRUE(says(without(false), "last ray is left out of the sum"));
 }
 
-TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
+TEST(CheckAverage, SaysThatBrightColoursAreCutOffOrThatMissesAreLeftOut) {
     EXPECT_TRUE(says(judgeAverageOf(
                          [](Values values) {
                              for (ColourRGB& value : values)
@@ -146,7 +146,7 @@ TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
                      "hit nothing"));
 }
 
-TEST(Average, IsOfToneMappedBytesOrBlack) {
+TEST(CheckAverage, NamesTheToneCurveOrTheIntegerDivision) {
     EXPECT_TRUE(says(judgeAverageOf([](Values values) {
                          for (ColourRGB& value : values) {
                              const auto bytes = raytracer::toneMapped(value);
@@ -158,7 +158,7 @@ TEST(Average, IsOfToneMappedBytesOrBlack) {
     EXPECT_TRUE(says(judgeAverageOf([](const Values&) { return ColourRGB{}; }), "1 / n"));
 }
 
-TEST(Average, IsOfColoursThatWentThroughACurve) {
+TEST(CheckAverage, NamesACurveThatTheColoursWentThrough) {
     const auto through = [](double (*curve)(double), double factor) {
         return judgeAverageOf([=](Values values) {
             for (ColourRGB& c : values)
@@ -178,14 +178,14 @@ TEST(Average, IsOfColoursThatWentThroughACurve) {
     EXPECT_FALSE(says(through([](double c) { return std::sin(3.0 * c); }, 1.0), "before"));
 }
 
-TEST(Average, HasAHintWhereNothingExplainsIt) {
+TEST(CheckAverage, GivesAHintWhereNothingExplainsTheColour) {
     const auto strange = judgeAverageOf([](const Values&) { return ColourRGB{9.0, 0.0, 4.0}; });
     ASSERT_EQ(idOf(strange), "dof.wrong");
     EXPECT_NE(strange->hint.find("start at 0"), std::string::npos);
     EXPECT_NE(strange->hint.find("mixes neighbours"), std::string::npos);
 }
 
-TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
+TEST(CheckAverage, SaysThatRaysCountUnevenlyWhereTheColourLiesBetweenThem) {
     const auto weighed = [](const Values& values) {
         return values.front() * 0.8 + values[1] * 0.2;
     };
@@ -201,7 +201,7 @@ TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
 
 // In two channels both rays have the same value, so the colour may only be that value: rounding
 // must not make it fall outside.
-TEST(Average, WeighsItsRaysUnevenlyWhereAChannelIsTheSameInAll) {
+TEST(CheckAverage, SaysThatRaysCountUnevenlyWhereAChannelIsTheSameInAll) {
     for (const ColourRGB& channel :
          {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}}) {
         LensByHand lens;

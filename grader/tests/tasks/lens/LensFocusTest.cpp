@@ -47,7 +47,7 @@ TEST(Focus, MayBeMissedBySinglePrecisionOnly) {
     EXPECT_NEAR(numberIn(*missed, "farthestFromFocalPoint"), 2.1e-4, 1e-9);
 }
 
-TEST(Focus, LiesOnAnotherPlane) {
+TEST(CheckFocus, SaysOnWhichOtherPlaneTheRaysMeet) {
     const auto finding =
         judgeFocusOf([](const Vector3& focal, const Vector3&) { return focal * (4.0 / kPlane); });
     ASSERT_EQ(idOf(finding), "dof.focal-plane");
@@ -57,14 +57,14 @@ TEST(Focus, LiesOnAnotherPlane) {
     ASSERT_EQ(finding->plots.size(), 1U);
 }
 
-TEST(Focus, LiesAtThatDistanceInsteadOfOnThatPlane) {
+TEST(CheckFocus, SaysThatTheRaysMeetAtThatDistanceInsteadOfOnThatPlane) {
     const auto finding = judgeFocusOf(
         [](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
     ASSERT_EQ(idOf(finding), "dof.focal-distance");
     EXPECT_NEAR(numberIn(*finding, "meetingZ"), kPlane / Vector3(-0.3, 0.1, 1.0).magnitude(), 1e-9);
 }
 
-TEST(Focus, LiesBesideThePinholeRay) {
+TEST(CheckFocus, TellsAFocusBesideThePinholeRayFromOneOnAnotherPlane) {
     const auto beside = [](double distance) {
         return judgeFocusOf([=](const Vector3& focal, const Vector3&) {
             return focal + Vector3{0.0, 0.0, 1.0}.cross(focal).normalised() * distance;
@@ -76,7 +76,7 @@ TEST(Focus, LiesBesideThePinholeRay) {
     EXPECT_EQ(idOf(beside(0.019)), "dof.focal-plane");
 }
 
-TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
+TEST(CheckFocus, SaysThatRaysAreParallelOrPassEachOther) {
     const auto parallel = judgeFocusOf([](const Vector3&, const Vector3& origin) {
         return origin + Vector3{0.1, 0.0, 1.0};
     });
@@ -96,7 +96,7 @@ TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
         << passing(1.9e-3)->message;
 }
 
-TEST(Focus, IsLeftBehindByRaysThatRunBackwards) {
+TEST(CheckFocus, CountsRaysThatRunBackwards) {
     LensByHand lens;
     LensPixel& pixel = lens.pixel();
     for (const double x : {-0.2, 0.1, 0.2})
@@ -109,7 +109,7 @@ TEST(Focus, IsLeftBehindByRaysThatRunBackwards) {
     EXPECT_NE(one->hint.find("(focalPoint - lensPoint)"), std::string::npos);
 }
 
-TEST(Focus, HasCoordinatesThatWereNotDividedByZ) {
+TEST(CheckFocus, NamesTheCoordinatesThatWereNotDividedByZ) {
     const auto besides = [](const auto& change) {
         return judgeFocusOf([&](const Vector3& focal, const Vector3&) {
             Vector3 point = focal;

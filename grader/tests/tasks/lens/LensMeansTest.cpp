@@ -40,7 +40,7 @@ Pixels through(const std::function<double(double)>& curve) {
     return pixels;
 }
 
-TEST(ChangeOfMeans, IsASumThatIsNeverStartedAnew) {
+TEST(ChangeOfMeans, IsNamedASumThatIsNeverStartedAnew) {
     for (const double divisor : {1.0, 50.0}) {
         Pixels pixels = rightPixels();
         for (std::size_t i = 1; i < pixels.size(); ++i)
@@ -51,7 +51,7 @@ TEST(ChangeOfMeans, IsASumThatIsNeverStartedAnew) {
     }
 }
 
-TEST(ChangeOfMeans, IsAnotherFactorForEachPixel) {
+TEST(ChangeOfMeans, IsNamedAnotherFactorForEachPixel) {
     Pixels pixels = rightPixels();
     for (std::size_t i = 0; i < pixels.size(); ++i)
         pixels[i].colour = pixels[i].mean * (0.5 + 0.02 * static_cast<double>((7 * i) % 24));
@@ -60,7 +60,7 @@ TEST(ChangeOfMeans, IsAnotherFactorForEachPixel) {
     EXPECT_EQ(seenIn(pixels), "");
 }
 
-TEST(ChangeOfMeans, IsACutEvenWhereFewValuesStayBelow) {
+TEST(ChangeOfMeans, IsNamedACutEvenWhereFewValuesStayBelow) {
     EXPECT_TRUE(says(seenIn(through([](double v) { return std::min(v, 1.0); })), "dof.wrong",
                      "cut off at 1."));
     Pixels pixels = through([](double v) { return std::min(v, 0.02); });
@@ -69,7 +69,7 @@ TEST(ChangeOfMeans, IsACutEvenWhereFewValuesStayBelow) {
     EXPECT_EQ(seenIn(pixels), "");
 }
 
-TEST(ChangeOfMeans, IsACurve) {
+TEST(ChangeOfMeans, IsNamedACurveWhereOneExplainsAllPixels) {
     for (const std::function<double(double)>& curve :
          {std::function<double(double)>{[](double v) { return std::sqrt(v); }},
           std::function<double(double)>{[](double v) { return std::floor(255.0 * v) / 255.0; }}}) {
@@ -81,7 +81,7 @@ TEST(ChangeOfMeans, IsACurve) {
 }
 
 // Means that single precision cannot tell apart may have their values in any order.
-TEST(ChangeOfMeans, IsACurveThoughEqualMeansDifferByRounding) {
+TEST(ChangeOfMeans, IsNamedACurveThoughEqualMeansDifferByRounding) {
     Pixels pixels = through([](double v) { return std::sqrt(v); });
     const auto add = [&](double step) {
         Pixels more = pixels;

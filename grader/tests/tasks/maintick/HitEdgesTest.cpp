@@ -9,7 +9,7 @@ namespace ticker::tasks {
 namespace {
 
 // Single precision must be right at these distances; see JudgePlanes.cpp and JudgeSpheres.cpp.
-TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
+TEST(JudgeHits, AsksFartherAwayThan1500UnitsAndNearerThan4100) {
     const auto farthestOf = [](auto judge) {
         double farthest = 0.0;
         static_cast<void>(judge([&](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {

@@ -152,7 +152,7 @@ TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
 }
 
 // A limit of the depth shows under every seed, whatever the code returns where it ends.
-TEST(MirrorQuestions, SetEveryLimitOfTheDepthFarApart) {
+TEST(MirrorQuestions, GiveAnotherColourForEveryLimitOfTheDepth) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const MirrorQuestion asked = maintick::drawDeepMirrors(seed);
         const SceneDescription& scene = asked.question.scene;

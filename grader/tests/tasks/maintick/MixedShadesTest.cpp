@@ -163,7 +163,7 @@ TEST(MixedShades, ShowAnyConditionOnTheLight) {
         ofLight("channel", [&](const L& l, double, double) { return l.colour().*channel == 0.0; });
 }
 
-TEST(MixedShades, HaveAsManyFreeWaysAsHiddenOnes) {
+TEST(MixedShades, HideAQuarterToThreeQuartersOfTheirLights) {
     int hidden = 0;
     int free = 0;
     for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed)

@@ -85,7 +85,7 @@ private:
 };
 
 // The comparison is exact: no difference is allowed under any seed.
-TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
+TEST(LitRender, ShowsNoDifferenceForTheReference) {
     tests::LocalExaminee reference;
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
         for (const int threads : {1, 2}) {

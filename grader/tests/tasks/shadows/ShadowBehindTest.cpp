@@ -9,7 +9,7 @@ namespace {
 
 // Code without a clamp may show a light behind the surface as a highlight. The judgement must not
 // depend on that.
-TEST(LightBehind, GivesNothingInAnyReading) {
+TEST(LightBehind, IsBelowTheSurfaceAndReflectedAwayFromTheViewer) {
     std::size_t points = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed)
         for (const ShadowQuestion& asked : drawShadowQuestions(seed)) {

@@ -77,7 +77,7 @@ TEST(CheckStarts, WantsRaysToStartAtThePoint) {
     EXPECT_EQ(idOf(judgeStarts({0.0, 1.51e-3, 0.0}, {0.0, 1.51e-3, 0.0})), "shadow.wrong");
 }
 
-TEST(CheckSmallPool, WantsAPersonWhereAFewAimsComeAgainInAnotherOrder) {
+TEST(CheckSmallPool, WarnsWhereManyRaysShareAFewAims) {
     AimVerdict aims;
     aims.lines = 2010;
     aims.distinct = 13;

@@ -47,7 +47,7 @@ TEST(Combinations, AreDrawnAnewFromAnotherSeed) {
 }
 
 // Each combination fails with a chance below 1e-9.
-TEST(Combinations, Pass) {
+TEST(Combinations, OfAcceptedReadingsPass) {
     MistakeRun run;
     run.seed = 7;
     const std::size_t count = tests::isSlowRun() ? 24 : 2;

@@ -53,7 +53,7 @@ TEST(GoTogether, WantsRaysThatGoOneWayOrLieAlongOneLine) {
 // The mean resultant of angles within s of a middle is sin(s) / s; ten of them agree in direction
 // by 0.1 + 0.9 (sin(s) / s)^2, and in line by that of twice the angle. The bound over 400 points is
 // 0.125 + 0.178 and 0.4 + 0.178.
-TEST(GoTogether, EndsWhereChanceWould) {
+TEST(GoTogether, HoldsOnlyBeyondTheAgreementThatChanceGives) {
     EXPECT_TRUE(together(400, 10, withinAngle(1.75)));   // 0.38 in direction, 0.12 in line
     EXPECT_FALSE(together(400, 10, withinAngle(2.15)));  // 0.24 and 0.13
     const auto alongLine = [](double spread) {

@@ -33,7 +33,7 @@ bool isBetween(double power, double size = 1.0, double widest = 0.999) {
 }
 
 // From radii drawn evenly (a power of 1) to the surface (0).
-TEST(LiesBetween, EndsWhereTheDensestShapesDo) {
+TEST(LiesBetween, AcceptsRadiiFromEvenlyDrawnOnesToThoseOfTheSurface) {
     for (const double power : {0.0, 0.2, 1.0 / 3.0, 0.7, 1.0})
         EXPECT_TRUE(isBetween(power)) << power;
     EXPECT_FALSE(isBetween(2.0)) << "denser in the middle";
