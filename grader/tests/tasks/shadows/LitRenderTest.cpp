@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -32,13 +33,16 @@ std::optional<std::string> differenceAfter(const Change& change, const VisibleRa
 }
 
 /// Changes a picture into that of code with a recursion of its own, which lights points without
-/// `illuminate` and casts only `kept` of the reference's shadow rays for each.
-auto unobserved(int kept) {
+/// `illuminate`. After each ray that it traces it casts only so many of the reference's shadow
+/// rays.
+auto unobserved(int shadowRays) {
+    constexpr int kTracedRay = 1;
     return [=](probe::RenderAnswer& answer) {
         std::map<std::uint32_t, int> rays;  // by thread
         std::erase_if(answer.events, [&](const Event& event) {
             if (event.kind == Event::Kind::traceBegan) rays[event.thread] = 0;
-            if (event.kind == Event::Kind::rayCast) return rays[event.thread]++ > kept;
+            if (event.kind == Event::Kind::rayCast)
+                return rays[event.thread]++ >= kTracedRay + shadowRays;
             return event.kind == Event::Kind::illuminateBegan ||
                    event.kind == Event::Kind::illuminateEnded;
         });
@@ -155,22 +159,30 @@ TEST(LitRender, CountsTheRaysOfARecursionOfOnesOwn) {
     EXPECT_FALSE(differenceAfter(unobserved(0))) << "its shadow rays cannot be seen";
 }
 
+/// The end of a shadow ray: as far away as the centre of its light. Empty for other rays.
+std::optional<Vector3> endAtLight(const probe::RenderQuestion& asked, const Event& ray) {
+    constexpr double kBehindLens = 1.0;  // z; lens rays start at 0, shadow rays at the wall, near 6
+    constexpr double kNearLight = 1.4;   // radii; the aims lie within 1, LitRender counts up to 1.5
+    if (ray.kind != Event::Kind::rayCast || ray.a.z < kBehindLens) return std::nullopt;
+    for (const raytracer::PointLight& light : asked.scene.pointLights) {
+        const double distance = (light.position() - ray.a).magnitude();
+        const Vector3 end = ray.a + ray.b.normalised() * distance;
+        if ((end - light.position()).magnitude() <= kNearLight * asked.settings.lightSize)
+            return end;
+    }
+    return std::nullopt;
+}
+
 // A mirrored ray may pass near a light: it must not count as the only shadow ray.
 TEST(LitRender, CountsRaysFromALightToThePoint) {
     const probe::RenderQuestion asked = drawLitQuestion(3, 1);
-    const auto reversed = [&](int kept) {
-        return [&, kept](probe::RenderAnswer& answer) {
-            unobserved(kept)(answer);
-            for (Event& event : answer.events)
-                for (const raytracer::PointLight& light : asked.scene.pointLights) {
-                    const double distance = (light.position() - event.a).magnitude();
-                    const Vector3 end = event.a + event.b.normalised() * distance;
-                    if (event.kind != Event::Kind::rayCast || event.a.z < 1.0 ||
-                        (end - light.position()).magnitude() > 1.4 * asked.settings.lightSize)
-                        continue;
-                    event.b = event.a - end;
-                    event.a = end;
-                    break;
+    const auto reversed = [&](int shadowRays) {
+        return [&, shadowRays](probe::RenderAnswer& answer) {
+            unobserved(shadowRays)(answer);
+            for (Event& ray : answer.events)
+                if (const std::optional<Vector3> end = endAtLight(asked, ray)) {
+                    ray.b = ray.a - *end;
+                    ray.a = *end;
                 }
         };
     };
