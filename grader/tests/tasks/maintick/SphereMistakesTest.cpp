@@ -1,18 +1,16 @@
-#include <grader/tasks/maintick/Hits.h>
+#include <grader/tests/tasks/maintick/MistakeRows.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ticker::tasks::maintick {
 namespace {
 
-using Answer = std::optional<double>;
-constexpr Answer kMiss = std::nullopt;
 constexpr Vector3 kForwards{0.0, 0.0, 1.0};
 
 // The ball asked about has its centre at (0, 0, 5) and radius 2, the first one of the scene has
@@ -28,127 +26,120 @@ raytracer::SceneDescription twoBalls(double radius = 2.0) {
     return scene;
 }
 
-void expectSame(const Answer& given, const Answer& wanted, std::size_t mistake, std::size_t ray) {
-    ASSERT_EQ(given.has_value(), wanted.has_value()) << "mistake " << mistake << ", ray " << ray;
-    if (!wanted) return;
-    if (std::isnan(*wanted))
-        EXPECT_TRUE(std::isnan(*given)) << "mistake " << mistake;
-    else
-        EXPECT_NEAR(*given, *wanted, 1e-9) << "mistake " << mistake << ", ray " << ray;
+const std::vector<MistakeRow<4>>& sphereRows() {
+    const auto root = [](double a) { return std::sqrt(a); };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    static const std::vector<MistakeRow<4>> kRows{
+        {"the far root", {7.0, 3.0, kMiss, kMiss}},
+        {"the near root alone", {3.0, kMiss, kMiss, kMiss}},
+        {"the smaller root if it is ahead", {3.0, kMiss, kMiss, kMiss}},
+        {"the smaller root's size if the far one is ahead", {3.0, 1.0, kMiss, kMiss}},
+        {"the near root if the far one is ahead", {3.0, -1.0, kMiss, kMiss}},
+        {"a near root a little behind, then lost", {3.0, 3.0, kMiss, kMiss}},
+        {"a near or far root a little behind", {3.0, 3.0, kMiss, kMiss}},
+        {"a near root a little behind", {3.0, 3.0, kMiss, kMiss}},
+        {"a far root a little behind", {3.0, 3.0, kMiss, kMiss}},
+        {"the near root always", {3.0, -1.0, -6.0, kMiss}},
+        {"the smaller root's size always", {3.0, 1.0, 2.0, kMiss}},
+        {"the near root's size always", {3.0, 1.0, 6.0, kMiss}},
+        {"the smaller root always", {3.0, -1.0, -2.0, kMiss}},
+        {"the far root unless the near one is ahead", {3.0, 3.0, -2.0, kMiss}},
+        {"the discriminant's size", {3.0, 3.0, kMiss, (10.0 - root(20.0)) / 2.0}},
+        {"the root of a negative discriminant", {3.0, 3.0, kMiss, nan}},
+        {"b without 2", {kMiss, (1.0 + root(13.0)) / 2.0, kMiss, kMiss}},
+        {"c - r", {(10.0 - root(8.0)) / 2.0, (2.0 + root(8.0)) / 2.0, kMiss, kMiss}},
+        {"c without a radius", {5.0, 1.0, kMiss, kMiss}},
+        {"c + r * r", {kMiss, kMiss, kMiss, kMiss}},
+        {"-b", {kMiss, 1.0, 2.0, kMiss}},
+        {"without the origin", {3.0, 3.0, 3.0, 3.0}},
+        {"b * b - c",
+         {(10.0 - root(79.0)) / 2.0, (2.0 + root(7.0)) / 2.0, kMiss, (10.0 - root(70.0)) / 2.0}},
+        {"not divided by 2", {6.0, 6.0, kMiss, kMiss}},
+        {"no root at all", {5.0, 1.0, kMiss, kMiss}},
+        {"no root for the near side", {5.0, 1.0, kMiss, kMiss}},
+        {"the discriminant itself, 16", {13.0, 9.0, 4.0, kMiss}},
+        {"s squared", {9.0, 9.0, kMiss, kMiss}},
+        {"the location's distance from the world's origin", {3.0, 7.0, kMiss, kMiss}},
+        {"the first sphere's radius", {4.0, 2.0, kMiss, kMiss}},
+        {"nothing nearer than 1", {3.0, 3.0, kMiss, kMiss}},
+        {"nothing behind the camera", {3.0, 3.0, kMiss, kMiss}},
+        {"a limit of what is far", {3.0, 3.0, kMiss, kMiss}},
+        {"a limit for the near side", {3.0, 3.0, kMiss, kMiss}},
+        {"a limit for what is taken", {3.0, 3.0, kMiss, kMiss}},
+        {"a limit for each side", {3.0, 3.0, kMiss, kMiss}},
+        {"a limit of the discriminant", {3.0, 3.0, kMiss, kMiss}},
+        {"no ray that leaves x as it is", {kMiss, kMiss, kMiss, kMiss}},
+        {"no ray that leaves y as it is", {kMiss, kMiss, kMiss, kMiss}},
+        {"no ray that leaves z as it is", {3.0, 3.0, kMiss, kMiss}},
+        {"no ray that leaves x and y as they are", {kMiss, kMiss, kMiss, kMiss}},
+        {"no ray that leaves x and z as they are", {3.0, 3.0, kMiss, kMiss}},
+        {"no ray that leaves y and z as they are", {3.0, 3.0, kMiss, kMiss}},
+    };
+    return kRows;
+}
+
+/// Expects this answer along the z axis, from this z on.
+void expectAlongZ(std::string_view mistake, double z, const Distance& wanted, double radius = 2.0) {
+    SCOPED_TRACE(testing::Message() << mistake << ", from " << z);
+    const HitMistake& asked = mistakeNamed(mistake, sphereRows(), sphereMistakes());
+    expectDistance(asked.distance(twoBalls(radius), 1, {{0.0, 0.0, z}, kForwards}), wanted);
 }
 
 TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
-    const auto root = [](double a) { return std::sqrt(a); };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<std::array<Answer, 4>> wanted{
-        {7.0, 3.0, kMiss, kMiss},                            // the far root
-        {3.0, kMiss, kMiss, kMiss},                          // no far root
-        {3.0, kMiss, kMiss, kMiss},                          // the smaller one, ahead
-        {3.0, 1.0, kMiss, kMiss},                            // its size
-        {3.0, -1.0, kMiss, kMiss},                           // the near one if the far one is ahead
-        {3.0, 3.0, kMiss, kMiss},                            // the near one a little behind, lost,
-        {3.0, 3.0, kMiss, kMiss},                            // taken with the far one,
-        {3.0, 3.0, kMiss, kMiss},                            // or alone
-        {3.0, 3.0, kMiss, kMiss},                            // the far one a little behind
-        {3.0, -1.0, -6.0, kMiss},                            // the near one always
-        {3.0, 1.0, 2.0, kMiss},                              // the smaller one's size always
-        {3.0, 1.0, 6.0, kMiss},                              // the near one's size
-        {3.0, -1.0, -2.0, kMiss},                            // the smaller one always
-        {3.0, 3.0, -2.0, kMiss},                             // the far one behind
-        {3.0, 3.0, kMiss, (10.0 - root(20.0)) / 2.0},        // |discriminant|
-        {3.0, 3.0, kMiss, nan},                              // its root, even if negative
-        {kMiss, (1.0 + root(13.0)) / 2.0, kMiss, kMiss},     // b without 2
-        {(10.0 - root(8.0)) / 2.0, (2.0 + root(8.0)) / 2.0,  // c - r
-         kMiss, kMiss},
-        {5.0, 1.0, kMiss, kMiss},                             // c without a radius
-        {kMiss, kMiss, kMiss, kMiss},                         // c + r * r
-        {kMiss, 1.0, 2.0, kMiss},                             // -b
-        {3.0, 3.0, 3.0, 3.0},                                 // without the origin
-        {(10.0 - root(79.0)) / 2.0, (2.0 + root(7.0)) / 2.0,  // b * b - c
-         kMiss, (10.0 - root(70.0)) / 2.0},
-        {6.0, 6.0, kMiss, kMiss},      // not divided by 2
-        {5.0, 1.0, kMiss, kMiss},      // no root at all,
-        {5.0, 1.0, kMiss, kMiss},      // or none for the near side
-        {13.0, 9.0, 4.0, kMiss},       // the discriminant itself, 16
-        {9.0, 9.0, kMiss, kMiss},      // s squared
-        {3.0, 7.0, kMiss, kMiss},      // the location's, from the world's origin
-        {4.0, 2.0, kMiss, kMiss},      // the first radius
-        {3.0, 3.0, kMiss, kMiss},      // nothing nearer than 1
-        {3.0, 3.0, kMiss, kMiss},      // nothing behind the camera
-        {3.0, 3.0, kMiss, kMiss},      // a limit of what is far,
-        {3.0, 3.0, kMiss, kMiss},      // of what is near, for the near side,
-        {3.0, 3.0, kMiss, kMiss},      // for what is taken,
-        {3.0, 3.0, kMiss, kMiss},      // or for each side,
-        {3.0, 3.0, kMiss, kMiss},      // and of the discriminant
-        {kMiss, kMiss, kMiss, kMiss},  // no ray that leaves x as it is,
-        {kMiss, kMiss, kMiss, kMiss},  // y,
-        {3.0, 3.0, kMiss, kMiss},      // z,
-        {kMiss, kMiss, kMiss, kMiss},  // x and y,
-        {3.0, 3.0, kMiss, kMiss},      // x and z,
-        {3.0, 3.0, kMiss, kMiss},      // or y and z
-    };
     const auto mistakes = sphereMistakes();
-    ASSERT_EQ(mistakes.size(), wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        for (std::size_t k = 0; k < kRays.size(); ++k)
-            expectSame(mistakes[i].distance(twoBalls(), 1, kRays[k]), wanted[i][k], i, k);
+    ASSERT_EQ(mistakes.size(), sphereRows().size());
+    for (std::size_t i = 0; i < mistakes.size(); ++i)
+        for (std::size_t k = 0; k < kRays.size(); ++k) {
+            const MistakeRow<4>& row = sphereRows()[i];
+            SCOPED_TRACE(testing::Message() << row.name << ", ray " << k);
+            expectDistance(mistakes[i].distance(twoBalls(), 1, kRays[k]), row.answers[k]);
+        }
 }
 
 TEST(SphereMistakes, TakeTheNearRootALittleBehindTheRay) {
-    const auto mistakes = sphereMistakes();
-    constexpr std::size_t kLost = 5;
-    const auto asked = [&](std::size_t mistake, double z) {
-        return mistakes[mistake].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
-    };
-    expectSame(asked(kLost, 3.04), kMiss, kLost, 0);
-    expectSame(asked(kLost, 3.06), 3.94, kLost, 1);
-    expectSame(asked(kLost + 1, 3.04), -0.04, kLost + 1, 0);
-    expectSame(asked(kLost + 1, 3.06), 3.94, kLost + 1, 1);
-    expectSame(asked(kLost + 1, 7.04), -0.04, kLost + 1, 2);
-    expectSame(asked(kLost + 1, 7.06), kMiss, kLost + 1, 3);
-    expectSame(asked(kLost + 2, 3.04), -0.04, kLost + 2, 0);
-    expectSame(asked(kLost + 2, 7.04), kMiss, kLost + 2, 1);
+    const char* const lost = "a near root a little behind, then lost";
+    expectAlongZ(lost, 3.04, kMiss);
+    expectAlongZ(lost, 3.06, 3.94);
+    const char* const both = "a near or far root a little behind";
+    expectAlongZ(both, 3.04, -0.04);
+    expectAlongZ(both, 3.06, 3.94);
+    expectAlongZ(both, 7.04, -0.04);
+    expectAlongZ(both, 7.06, kMiss);
+    const char* const nearAlone = "a near root a little behind";
+    expectAlongZ(nearAlone, 3.04, -0.04);
+    expectAlongZ(nearAlone, 7.04, kMiss);
 }
 
 TEST(SphereMistakes, TakeTheFarRootALittleBehindTheRay) {
-    const auto mistakes = sphereMistakes();
-    constexpr std::size_t kFarBehind = 8;
-    const auto asked = [&](double z) {
-        return mistakes[kFarBehind].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
-    };
-    expectSame(asked(3.04), 3.96, kFarBehind, 0);
-    expectSame(asked(7.04), -0.04, kFarBehind, 1);
-    expectSame(asked(7.06), kMiss, kFarBehind, 2);
+    const char* const farAlone = "a far root a little behind";
+    expectAlongZ(farAlone, 3.04, 3.96);
+    expectAlongZ(farAlone, 7.04, -0.04);
+    expectAlongZ(farAlone, 7.06, kMiss);
 }
 
 TEST(SphereMistakes, TakeTheFarSideWhereThePointNearestToTheCentreIsBehind) {
-    const auto mistakes = sphereMistakes();
-    constexpr std::size_t kNearestPoint = 24;
-    const auto asked = [&](std::size_t mistake, double z) {
-        return mistakes[mistake].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
-    };
-    expectSame(asked(kNearestPoint, 6.0), kMiss, kNearestPoint, 0);
-    expectSame(asked(kNearestPoint + 1, 6.0), 1.0, kNearestPoint + 1, 1);
+    expectAlongZ("no root at all", 6.0, kMiss);
+    expectAlongZ("no root for the near side", 6.0, 1.0);
 }
 
 TEST(SphereMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
-    const auto mistakes = sphereMistakes();
-    const std::size_t farLimit = mistakes.size() - 11;
-    const auto asked = [&](std::size_t mistake, double z, double radius) {
-        return mistakes[mistake].distance(twoBalls(radius), 1, {{0.0, 0.0, z}, kForwards});
-    };
-    expectSame(asked(farLimit, -996.5, 2.0), 999.5, farLimit, 0);
-    expectSame(asked(farLimit, -998.5, 2.0), kMiss, farLimit, 1);
-    expectSame(asked(farLimit + 1, 2.96, 2.0), 4.04, farLimit + 1, 0);
-    expectSame(asked(farLimit + 1, 2.94, 2.0), 0.06, farLimit + 1, 1);
-    expectSame(asked(farLimit + 2, 2.94, 2.0), 0.06, farLimit + 2, 0);
-    expectSame(asked(farLimit + 2, 2.96, 2.0), kMiss, farLimit + 2, 1);
-    expectSame(asked(farLimit + 2, 6.94, 2.0), 0.06, farLimit + 2, 2);
-    expectSame(asked(farLimit + 3, 2.96, 2.0), 4.04, farLimit + 3, 0);
-    expectSame(asked(farLimit + 3, 6.94, 2.0), 0.06, farLimit + 3, 1);
-    expectSame(asked(farLimit + 3, 6.96, 2.0), kMiss, farLimit + 3, 2);
-    expectSame(asked(farLimit + 4, 0.0, 0.032), 4.968, farLimit + 4, 0);
-    expectSame(asked(farLimit + 4, 0.0, 0.0316), kMiss, farLimit + 4, 1);
+    const char* const ofFar = "a limit of what is far";
+    expectAlongZ(ofFar, -996.5, 999.5);
+    expectAlongZ(ofFar, -998.5, kMiss);
+    const char* const ofNearSide = "a limit for the near side";
+    expectAlongZ(ofNearSide, 2.96, 4.04);
+    expectAlongZ(ofNearSide, 2.94, 0.06);
+    const char* const ofTaken = "a limit for what is taken";
+    expectAlongZ(ofTaken, 2.94, 0.06);
+    expectAlongZ(ofTaken, 2.96, kMiss);
+    expectAlongZ(ofTaken, 6.94, 0.06);
+    const char* const ofEachSide = "a limit for each side";
+    expectAlongZ(ofEachSide, 2.96, 4.04);
+    expectAlongZ(ofEachSide, 6.94, 0.06);
+    expectAlongZ(ofEachSide, 6.96, kMiss);
+    const char* const ofDiscriminant = "a limit of the discriminant";
+    expectAlongZ(ofDiscriminant, 0.0, 4.968, 0.032);
+    expectAlongZ(ofDiscriminant, 0.0, kMiss, 0.0316);
 }
 
 }  // namespace
