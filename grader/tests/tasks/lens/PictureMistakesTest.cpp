@@ -1,9 +1,11 @@
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/checks/PictureMistakes.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -27,6 +29,13 @@ const ExpectedPicture& expected() {
 
 std::vector<Plane> templatesOf(const std::vector<PictureMistake>& mistakes) {
     return mistakenPictures(mistakes, asked(), kSeed);
+}
+
+/// The mistakes of this finding, in their order.
+std::vector<PictureMistake> mistakesOf(const FindingText& text, const oracle::Reading& accepted) {
+    std::vector<PictureMistake> mistakes = pictureMistakes(accepted);
+    std::erase_if(mistakes, [&](const PictureMistake& mistake) { return mistake.text != &text; });
+    return mistakes;
 }
 
 /// One picture without any noise.
@@ -54,8 +63,9 @@ TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
 TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
     const std::vector<PictureMistake> mistakes = pictureMistakes({});
     ASSERT_EQ(mistakes.size(), 11U);
-    for (const std::size_t i : {0U, 1U, 4U, 9U}) {
-        const PictureMistake& own = mistakes[i];
+    for (const FindingText* text :
+         {&kDofNone, &kDofFocalDistance, &kDofOffCentre, &kDofNotAveraged}) {
+        const PictureMistake& own = *std::ranges::find(mistakes, text, &PictureMistake::text);
         const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
         const Bank bank = tryAll(mistakes, templatesOf(mistakes), seeing(picture), expected());
         ASSERT_NE(bank.best, nullptr);
@@ -70,7 +80,7 @@ TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
 }
 
 TEST(TryAll, NeglectsATwentiethOfAMistake) {
-    const std::vector<PictureMistake> mistakes{pictureMistakes({}).at(4)};
+    const std::vector<PictureMistake> mistakes{mistakesOf(kDofOffCentre, {}).at(0)};
     const Plane mistaken =
         mistakenPicture(asked(), mistakes[0].reading, mistakes[0].mistake, kSeed);
     const auto bankOf = [&](double share) {
@@ -90,7 +100,7 @@ TEST(TryAll, NeglectsATwentiethOfAMistake) {
 // The change that a factor of the brightness makes has the same shape for all factors.
 TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
     const auto scaledBy = [](double factor) {
-        PictureMistake mistake = pictureMistakes({}).at(9);
+        PictureMistake mistake = mistakesOf(kDofNotAveraged, {}).at(0);
         mistake.mistake.pixelScale = factor;
         return mistake;
     };
@@ -112,22 +122,23 @@ TEST(PictureMistakes, ChangeOneThingByAsMuchAsStudentsDo) {
         oracle::Reading accepted;
         accepted.apertureFactor = factor;
         accepted.pixelSpread = 0.7;
-        const std::vector<PictureMistake> all = pictureMistakes(accepted);
-        const auto changed = [&](std::size_t i) { return all.at(i).mistake; };
-        EXPECT_TRUE(changed(1).focalByDistance);
-        EXPECT_EQ(changed(2).focalFactor, 0.85);
-        EXPECT_EQ(changed(3).focalFactor, 1.2);
-        for (const std::size_t i : {4U, 5U}) {
-            EXPECT_EQ(changed(i).lensOffsetX, 1.0);
-            EXPECT_EQ(changed(i).lensOffsetY, 1.0);
+        EXPECT_TRUE(mistakesOf(kDofFocalDistance, accepted).at(0).mistake.focalByDistance);
+        const std::vector<PictureMistake> planes = mistakesOf(kDofFocalPlane, accepted);
+        EXPECT_EQ(planes.at(0).mistake.focalFactor, 0.85);
+        EXPECT_EQ(planes.at(1).mistake.focalFactor, 1.2);
+        const std::vector<PictureMistake> offCentre = mistakesOf(kDofOffCentre, accepted);
+        for (const PictureMistake& off : offCentre) {
+            EXPECT_EQ(off.mistake.lensOffsetX, 1.0);
+            EXPECT_EQ(off.mistake.lensOffsetY, 1.0);
         }
-        EXPECT_EQ(all[5].reading.apertureFactor, 0.5 * factor);
-        EXPECT_EQ(all[7].reading.apertureFactor, 0.7 * factor);
-        EXPECT_EQ(all[8].reading.apertureFactor, 1.4 * factor);
-        EXPECT_EQ(changed(9).pixelScale, 1.1);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            EXPECT_EQ(all[i].withoutBounces, i == 10);
-            EXPECT_EQ(all[i].reading.pixelSpread, 0.7);
+        EXPECT_EQ(offCentre.at(1).reading.apertureFactor, 0.5 * factor);
+        const std::vector<PictureMistake> apertures = mistakesOf(kDofApertureSize, accepted);
+        EXPECT_EQ(apertures.at(0).reading.apertureFactor, 0.7 * factor);
+        EXPECT_EQ(apertures.at(1).reading.apertureFactor, 1.4 * factor);
+        EXPECT_EQ(mistakesOf(kDofNotAveraged, accepted).at(0).mistake.pixelScale, 1.1);
+        for (const PictureMistake& any : pictureMistakes(accepted)) {
+            EXPECT_EQ(any.withoutBounces, any.text == &kDofWrong);
+            EXPECT_EQ(any.reading.pixelSpread, 0.7);
         }
     }
 }
