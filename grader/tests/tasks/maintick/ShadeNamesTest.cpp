@@ -97,9 +97,9 @@ TEST(ShadeNames, SayWhereRaysLeadThatMissTheLight) {
     Habits away;
     away.towardsLight = -1.0;
     Habits aside;
-    aside.event.b = {3.0, 4.0, 5.0};
+    aside.besideLight = {3.0, 4.0, 5.0};
     Habits nowhere;
-    nowhere.event.b.x = std::numeric_limits<double>::quiet_NaN();
+    nowhere.besideLight.x = std::numeric_limits<double>::quiet_NaN();
     const Looks looks{{Occluder::itself, dark}};
     expectNamed({{looks, "shade.wrong", "leaves away from the light", away},
                  {looks, "shade.wrong", "in another direction", aside},
@@ -110,7 +110,7 @@ TEST(ShadeNames, SayThatRaysStartFarFromThePoint) {
     using enum Look;
     const auto startingAt = [](const Vector3& away, double alongNormal) {
         Habits habits;
-        habits.event.a = away;
+        habits.awayFromPoint = away;
         habits.alongNormal = alongNormal;
         return habits;
     };
@@ -125,7 +125,7 @@ TEST(ShadeNames, SayThatRaysStartFarFromThePoint) {
                  {anyLooks, "shade.wrong", elsewhere, startingAt({20.0, -30.0, 7.0}, 0.0)},
                  {anyLooks, "shade.wrong", "Planes cast shadows", startingAt({}, 0.29)}});
     Habits unseen = startingAt({}, 1.0);
-    unseen.event.kind = probe::Event::Kind::traceBegan;
+    unseen.kind = probe::Event::Kind::traceBegan;
     expectNamed({{anyLooks, "shade.wrong", "Planes cast shadows", unseen}});
 }
 
@@ -165,10 +165,10 @@ TEST(ShadeNames, LookAtASurfaceItselfFromItsOwnSide) {
 TEST(ShadeNames, MeasureWhereRaysNearThePointStart) {
     using Kind = probe::Event::Kind;
     const auto idFrom = [](double away, Kind kind) {
-        probe::Event event;
-        event.kind = kind;
-        event.a = {0.0, away, 0.0};
-        const auto findings = judgeLooks({}, {event}).findings;
+        Habits habits;
+        habits.kind = kind;
+        habits.awayFromPoint = {0.0, away, 0.0};
+        const auto findings = judgeLooks({}, habits).findings;
         return findings.empty() ? std::string{} : findings[0].id;
     };
     EXPECT_EQ(idFrom(1.09e-3, Kind::rayCast), "");

@@ -26,12 +26,14 @@ enum class Look { right, lit, dark, black, specular, diffuse, ambientAgain, ambi
 using Looks = std::map<Occluder, Look>;
 inline constexpr std::size_t kQuestionsEach = 7;
 
+/// How the code casts the shadow ray of each place, and which lights it counts.
 struct Habits {
-    probe::Event
-        event{};  ///< of each place; `a` relative to the point, `b` added to the way to the light
-    double towardsLight = 1.0;  ///< factor of that way, which has length 1
-    double alongNormal = 0.0;   ///< times the normal, added to `a`
-    bool isFromLight = false;   ///< from the light to the point, whatever `event` says
+    probe::Event::Kind kind = probe::Event::Kind::rayCast;  ///< what is logged of the ray
+    Vector3 awayFromPoint{};    ///< added to the start of the ray, which is the point
+    double alongNormal = 0.0;   ///< times the normal, likewise added
+    double towardsLight = 1.0;  ///< times the direction to the light: the ray's direction
+    Vector3 besideLight{};      ///< added to the ray's direction
+    bool isFromLight = false;   ///< the ray runs from the light to the point, whatever else is said
     bool leaks = false;         ///< hidden points below their surface are lit
     double lowest = -1.0;       ///< least N.L of lights that count, whatever stands around
 };
@@ -75,11 +77,12 @@ private:
         return phong(setup);
     }
     [[nodiscard]] probe::Event castFrom(const LitSetup& setup) const {
-        probe::Event event = habits_.event;
+        probe::Event event;
+        event.kind = habits_.kind;
         const Vector3 light = setup.scene.pointLights.at(0).position();
         const Vector3 L = (light - setup.P).normalised();
-        event.a = setup.P + event.a + setup.N * habits_.alongNormal;
-        event.b = event.b + L * habits_.towardsLight;
+        event.a = setup.P + habits_.awayFromPoint + setup.N * habits_.alongNormal;
+        event.b = habits_.besideLight + L * habits_.towardsLight;
         if (habits_.isFromLight) event.a = light;
         if (habits_.isFromLight) event.b = -L;
         return event;
