@@ -1,5 +1,5 @@
-// Shares of the light at points in the penumbra, expected and seen, for code that is judged by
-// values alone.
+// Points in the penumbra, and the shares of the light that are expected and seen there, for code
+// that is judged by values alone.
 #include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 #include <grader/tasks/shadows/penumbra/PenumbraHits.h>
 #include <grader/tasks/shadows/penumbra/PenumbraShares.h>
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace ticker::tasks {
 namespace {
@@ -20,6 +21,61 @@ using Kind = PenumbraQuestion::Place::Kind;
 const PenumbraQuestion& oneQuestion() {
     static const PenumbraQuestion drawn = drawPenumbraQuestion(5);
     return drawn;
+}
+
+/// How many of 3000 aims on a sphere around the light are visible.
+/// @param size  Radius of the sphere, in radii of the light.
+int openAims(const probe::LitPoint& point, double size) {
+    const Surfaces surfaces{oneQuestion().question.scene};
+    const Vector3 light = oneQuestion().question.scene.pointLights[0].position();
+    const Vector3 start = point.position + point.normal * 1e-4;
+    Draw draw{3, 9};
+    int open = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Vector3 towards = light + draw.direction() * (0.4 * size) - start;
+        const double reach = towards.magnitude();
+        open += surfaces.sightAlong(start, towards / reach, reach) == Sight::blocked ? 0 : 1;
+    }
+    return open;
+}
+
+/// What all places of a kind have in common. Sizes are in radii of the light.
+struct PlacesOfKind {
+    std::size_t number;
+    std::size_t calls;      ///< of each
+    double unseenSize = 0;  ///< of a light that would not be seen at all
+    double seenSize = 1;    ///< of one that would be seen in part
+};
+const std::map<Kind, PlacesOfKind> kPlaces{{Kind::penumbra, {12, 2000}},
+                                           {Kind::beyondRim, {3, 1000, 1.02, 1.2}},
+                                           {Kind::withinRim, {3, 1000, 0.81}},
+                                           {Kind::atRim, {3, 3000, 0.95}}};
+
+TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
+    std::map<Kind, std::size_t> found;
+    std::size_t next = 0;
+    for (const PenumbraQuestion::Place& place : oneQuestion().places) {
+        ++found[place.kind];
+        const PlacesOfKind& expected = kPlaces.at(place.kind);
+        EXPECT_EQ(place.first, next);
+        EXPECT_EQ(place.calls, expected.calls);
+        next += place.calls;
+        const probe::LitPoint& point = oneQuestion().question.points[place.first];
+        EXPECT_EQ(place.fromLens, point.viewer.z == 0.0);
+        const Vector3 moved = oneQuestion().question.points[next - 1].position - point.position;
+        EXPECT_TRUE(moved.magnitude() > 0.0 && moved.magnitude() < 4e-6);
+        EXPECT_LT(std::abs(moved.dot(point.normal)), 1e-9) << "in the floor";
+        if (place.kind == Kind::penumbra) {
+            EXPECT_GT(openAims(point, 1.0), 90) << "more than no light";
+            EXPECT_LT(openAims(point, 1.0), 2940) << "less than all";
+            continue;
+        }
+        EXPECT_EQ(openAims(point, expected.unseenSize), 0);
+        EXPECT_GT(openAims(point, expected.seenSize), 0);
+    }
+    EXPECT_EQ(next, oneQuestion().question.points.size());
+    for (const auto& [kind, expected] : kPlaces)
+        EXPECT_EQ(found[kind], expected.number) << static_cast<int>(kind);
 }
 
 /// Values of code that subtracts a tenth of the light for each ray that meets the occluder.
