@@ -19,7 +19,7 @@ std::optional<Finding> judgeRays(const ColourOf& colourOf,
     made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
     for (const int open : opens) {
         PointLog& point = made.point({0.1 * open, 0.0, 1.0});
-        made.castRing(10);
+        made.castArc(10);
         point.zones = {open == 10 ? Zone::lit : open == 0 ? Zone::umbra : Zone::penumbra};
         for (int i = open; i < 10; ++i)
             point.lines[0][static_cast<std::size_t>(i)].toLight = Sight::blocked;
@@ -114,7 +114,7 @@ TEST(CheckArithmetic, SeesRaysThatNeverGetOffTheSurface) {
     ShadowByHand made;
     made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
     PointLog& point = made.point({1.0, 0.0, 1.0});
-    made.castRing(10);
+    made.castArc(10);
     point.zones = {Zone::lit};
     for (AimLine& line : point.lines[0])
         line.toLight = Sight::unsure;

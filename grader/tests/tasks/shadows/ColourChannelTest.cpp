@@ -14,8 +14,8 @@ std::optional<Finding> judgeChannels(int toBlue) {
     ShadowByHand made;
     made.ask(Purpose::pureColours, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}});
     made.point();
-    made.castRing(10, 0);
-    made.castRing(toBlue, 1);
+    made.castArc(10, 0);
+    made.castArc(toBlue, 1);
     return checkColourChannels(made.logs());
 }
 

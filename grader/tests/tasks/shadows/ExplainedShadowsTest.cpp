@@ -24,7 +24,7 @@ std::string told(const ColourOf& colourOf, const std::vector<int>& opens = {0, 2
     scene.planes[0].material.colour = {0.8, 0.6, 0.4};
     for (const int open : opens) {
         PointLog& point = made.point({0.1 * open, 0.0, 1.0});
-        made.castRing(10);
+        made.castArc(10);
         point.zones = {open == 10 ? Zone::lit : open == 0 ? Zone::umbra : Zone::penumbra};
         for (int i = open; i < 10; ++i)
             point.lines[0][static_cast<std::size_t>(i)].toLight = Sight::blocked;
@@ -104,7 +104,7 @@ std::string toldOfSpheres(bool nearIsLit, bool farIsLit, double nearHeight = 1.0
     for (const double x : {0.0, 0.0, under, under, -4.0, -5.0}) {
         PointLog& point = made.point({x, 0.0, 0.0});
         point.point.object = 2;
-        made.castRing(10, 0, 0.05);
+        made.castArc(10, 0, 0.05);
         const bool isLit = x < 0.0 || (x == 0.0 ? nearIsLit : farIsLit);
         point.zones = {x < 0.0 ? Zone::lit : Zone::umbra};
         for (AimLine& line : point.lines[0])

@@ -24,7 +24,7 @@ std::optional<Finding> judgeFaint(double height, int rays, double lightTimes,
     asked.question.scene.ambientLighting = ColourRGB{0.01};
     asked.question.scene.planes[0].material.colour = ColourRGB{0.5};
     PointLog& point = made.point({0.5, 0.0, 0.3});  // not at the eye
-    made.castRing(rays);
+    made.castArc(rays);
     const raytracer::SceneDescription& scene = made.last().scene();
     point.colour = ambientPart(point, scene) + unshadowed(point, scene, 0, false) * lightTimes;
     return raysAreVisible ? checkFaintLight(made.logs()) : checkFaintValues(made.logs(), {});
@@ -60,7 +60,7 @@ std::optional<Finding> judgeClose(double off, std::size_t distinct = 2010) {
     made.ask(Purpose::closeLight, {{0.0, 1.3, 0.0}});
     for (int i = 0; i < 30; ++i) {
         made.point();
-        made.castRing(10, 0, off);
+        made.castArc(10, 0, off);
     }
     AimVerdict aims;
     aims.distinct = distinct;
@@ -81,7 +81,7 @@ std::optional<Finding> judgeOneRay(double off, int rays = 1, std::size_t distinc
     made.ask(Purpose::oneRay, {{0.0, 6.0, 0.0}}).question.settings.shadowRayCount = 1;
     for (int i = 0; i < 48; ++i) {
         made.point();
-        made.castRing(rays, 0, off);
+        made.castArc(rays, 0, off);
     }
     AimVerdict aims;
     aims.distinct = distinct;
@@ -149,7 +149,7 @@ std::optional<Finding> judgeEight(int rays, double share, bool raysAreVisible = 
     const raytracer::SceneDescription& scene = made.last().scene();
     point.colour = ambientPart(point, scene);
     for (std::size_t i = 0; i < 8; ++i) {
-        made.castRing(i < 7 ? 10 : rays, i);
+        made.castArc(i < 7 ? 10 : rays, i);
         point.colour += unshadowed(point, scene, i, false) * (i < 7 ? 1.0 : share);
     }
     return raysAreVisible ? checkEightLights(made.logs(), {}, false)

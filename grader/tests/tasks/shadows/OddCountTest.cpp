@@ -13,7 +13,7 @@ std::optional<Finding> judgeOdd(int rays, double colourTimes = 1.0) {
     ShadowByHand made;
     made.ask(Purpose::oddCount, {{0.0, 20.0, 0.0}}).question.settings.shadowRayCount = 7;
     PointLog& point = made.point();
-    made.castRing(rays);
+    made.castArc(rays);
     const raytracer::SceneDescription& scene = made.last().scene();
     point.colour = (ambientPart(point, scene) + unshadowed(point, scene, 0, false)) * colourTimes;
     return checkOddCount(made.logs());

@@ -55,9 +55,9 @@ public:
         line.toLight = line.endlessly = Sight::open;
         return point.lines[light].emplace_back(line);
     }
-    /// Rays to aims round the light's centre, at the distance `off` from it. The default is half of
-    /// the handout's radius.
-    void castRing(int rays, std::size_t light = 0, double off = 0.2) {
+    /// Rays to aims on an arc round the light's centre, 0.1 radians from one to the next, at the
+    /// distance `off` from the centre. The default is half of the handout's radius.
+    void castArc(int rays, std::size_t light = 0, double off = 0.2) {
         const Vector3 centre = logs_.back().scene().pointLights[light].position();
         for (int i = 0; i < rays; ++i)
             cast(centre + Vector3{off * std::cos(0.1 * i), 0.0, off * std::sin(0.1 * i)}, light);

@@ -179,7 +179,7 @@ std::string judgeAim(const AimVerdict& aims) {
     ShadowByHand made;
     made.ask(Purpose::farLight);
     made.point();
-    made.castRing(3);
+    made.castArc(3);
     return idOf(checkAims(made.logs(), aims));
 }
 
@@ -215,7 +215,7 @@ std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0
     question.question.settings.shadowRayCount = 14;
     question.question.settings.lightSize = 0.25;
     PointLog& point = made.point();
-    made.castRing(rays, 0, off);
+    made.castArc(rays, 0, off);
     point.colour = (ambientPart(point, made.last().scene()) +
                     unshadowed(point, made.last().scene(), 0, false)) *
                    colourTimes;
@@ -245,7 +245,7 @@ TEST(CheckOtherSettings, WantsAWideLightToBeWide) {
         question.question.settings.lightSize = 1.5;
         for (int i = 0; i < 30; ++i) {
             PointLog& point = made.point();
-            made.castRing(15, 0, off);
+            made.castArc(15, 0, off);
             point.colour = ambientPart(point, made.last().scene()) +
                            unshadowed(point, made.last().scene(), 0, false);
         }

@@ -14,13 +14,13 @@ TEST(CountRays, TakesFewestMostAndDifferentOnesOverThePointsThatFaceTheLight) {
     ShadowByHand made;
     made.ask(Purpose::oneLight);
     made.point();
-    made.castRing(12);
+    made.castArc(12);
     made.point({1.0, 0.0, 0.0});
-    made.castRing(9);
-    made.castRing(2);                                // two of them again
+    made.castArc(9);
+    made.castArc(2);                                 // two of them again
     made.point({0.0, 6.0, 6.0}, {0.0, 1.0, 0.049});  // hardly faces it: towards is -z
     made.point({0.0, 6.0, -6.0}, Vector3{0.0, 1.0, 0.051}.normalised());
-    made.castRing(10);
+    made.castArc(10);
     const RayCounts counts = countRays({&made.last()});
     EXPECT_EQ(counts.fewest, 10U);
     EXPECT_EQ(counts.most, 12U);
@@ -34,7 +34,7 @@ TEST(CountRays, CountsLightsWithoutRaysOnlyWhereTold) {
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}});
     made.point();
-    made.castRing(10);
+    made.castArc(10);
     EXPECT_EQ(countRays({&made.last()}).fewest, 0U);
     EXPECT_EQ(countRays({&made.last()}, false).fewest, 10U);
 }
@@ -77,7 +77,7 @@ std::optional<Finding> judge(int rays, int distinct, bool fixed, double off = 0.
     made.ask(Purpose::oneLight);
     for (int i = 0; i < 20; ++i) {
         made.point({0.1 * i, 0.0, 0.0});
-        made.castRing(10, 0, off);
+        made.castArc(10, 0, off);
     }
     made.ask(purpose);
     made.point();
@@ -117,7 +117,7 @@ TEST(CheckRayCounts, CallsOneRayAHardShadow) {
         ShadowByHand made;
         made.ask(Purpose::oneLight);
         made.point();
-        made.castRing(rays);
+        made.castArc(rays);
         EXPECT_EQ(idOf(checkRayCounts(made.logs(), false)),
                   rays == 1 ? "shadow.hard" : "shadow.too-few-rays");
     }
@@ -128,8 +128,8 @@ std::optional<Finding> judgeSeveral(int rays, int distinct, bool fixed = false) 
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}, {0.0, 6.0, 3.0}});
     made.point();
-    made.castRing(10, 0);
-    made.castRing(10, 1);
+    made.castArc(10, 0);
+    made.castArc(10, 1);
     for (int i = 0; i < rays; ++i)
         made.cast({0.2 * std::cos(0.1 * (i % distinct)), 6.0, 3.0}, 2);
     return checkSeveralCounts(made.logs(), fixed);
@@ -156,7 +156,7 @@ std::optional<Finding> judgeSizes(int rays, double off, std::size_t distinct = 2
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}});
     made.point();
-    made.castRing(200, 0, 0.39);
+    made.castArc(200, 0, 0.39);
     for (int i = 0; i < rays; ++i)
         made.cast(Vector3{3.0, 6.0, 0.0} + Vector3{0.0, 0.0, 1.0} * off, 1);
     AimVerdict aims;
@@ -183,10 +183,10 @@ TEST(CheckEveryLight, WantsRaysToAllThatThePointFaces) {
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, -6.0, 0.0}});
     made.point();
-    made.castRing(10);
+    made.castArc(10);
     EXPECT_FALSE(checkEveryLight(made.logs()));
     made.point({0.0, -9.0, 0.0});
-    made.castRing(10);
+    made.castArc(10);
     EXPECT_EQ(idOf(checkEveryLight(made.logs())), "shadow.lights-mixed");
 }
 
@@ -194,7 +194,7 @@ TEST(WidestMiss, IsTheLargestOfAllLights) {
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}});
     made.point();
-    made.castRing(3, 0, 0.1);
+    made.castArc(3, 0, 0.1);
     made.cast({3.0, 6.0, 0.3}, 1);
     EXPECT_NEAR(widestMiss({&made.last()}), 0.3, 1e-3);
     EXPECT_EQ(widestMiss({}), 0.0);

@@ -76,7 +76,7 @@ TEST(SamplesOf, LeavesOutAnExtraRayToTheCentre) {
     ShadowByHand made;
     made.ask(Purpose::farLight);
     PointLog& point = made.point();
-    made.castRing(9);
+    made.castArc(9);
     made.cast({0.0, 6.0, 0.0});
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U) << "as many as asked for";
     made.cast({0.2, 6.0, 0.1});
@@ -94,7 +94,7 @@ TEST(SamplesOf, MeasuresTheBiasFromThePointWhereverItLies) {
     ShadowByHand made;
     made.ask(Purpose::farLight, {{3.0, 6.0, 2.0}});
     PointLog& point = made.point({3.0, 0.0, 2.0});
-    made.castRing(11);
+    made.castArc(11);
     point.lines[0][0].miss = 0.9e-4;
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U);
     point.lines[0][0].miss = 1.2e-4;
