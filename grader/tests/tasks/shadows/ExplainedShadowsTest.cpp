@@ -14,14 +14,27 @@ namespace {
 using Purpose = ShadowQuestion::Purpose;
 using ColourOf = std::function<ColourRGB(const Parts&, int open)>;
 
-/// Id, message and hint for points at which so many of ten rays arrive, one point for each of
-/// `opens`. Empty without a finding.
-std::string told(const ColourOf& colourOf, const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
-    ShadowByHand made;
+constexpr double kLightHeight = 16.0;
+
+/// Asks about one light above a coloured floor.
+raytracer::SceneDescription& askAboutFloor(ShadowByHand& made) {
     raytracer::SceneDescription& scene =
-        made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}}).question.scene;
+        made.ask(Purpose::oneLight, {{0.0, kLightHeight, 0.0}}).question.scene;
     scene.ambientLighting = ColourRGB{0.3};
     scene.planes[0].material.colour = {0.8, 0.6, 0.4};
+    return scene;
+}
+
+/// Id, message and hint of the finding; empty without one.
+std::string toldAbout(const ShadowByHand& made) {
+    const auto finding = checkArithmetic(made.logs()).finding;
+    return finding ? idOf(finding) + ": " + finding->message + " | " + finding->hint : "";
+}
+
+/// What is told of points at which so many of ten rays arrive, one point for each of `opens`.
+std::string told(const ColourOf& colourOf, const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
+    ShadowByHand made;
+    askAboutFloor(made);
     for (const int open : opens) {
         PointLog& point = made.point({0.1 * open, 0.0, 1.0});
         made.castArc(10);
@@ -30,8 +43,7 @@ std::string told(const ColourOf& colourOf, const std::vector<int>& opens = {0, 2
             point.lines[0][static_cast<std::size_t>(i)].toLight = Sight::blocked;
         point.colour = colourOf(partsOf(point, made.last()), open);
     }
-    const auto finding = checkArithmetic(made.logs()).finding;
-    return finding ? idOf(finding) + ": " + finding->message + " | " + finding->hint : "";
+    return toldAbout(made);
 }
 
 bool has(const std::string& text, const char* part) {
@@ -89,32 +101,48 @@ TEST(ExplainedShadows, KnowsLightThatEachBlockedRayMultiplies) {
     EXPECT_FALSE(has(told(squared), "multiplies"));
 }
 
-/// Id, message and hint for a light at height 16 and points under a near sphere, under a far sphere
-/// and under none. `nearIsLit` and `farIsLit` tell whether the shadowed points are lit.
+/// A point of the floor, in full light or in full shadow, that the code lights or leaves dark.
+struct FloorPoint {
+    double x;
+    bool isInShadow;
+    bool comesOutLit;
+};
+
+void addPoint(ShadowByHand& made, const FloorPoint& at) {
+    PointLog& point = made.point({at.x, 0.0, 0.0});
+    point.point.object = static_cast<int>(made.last().scene().spheres.size());
+    made.castArc(10, 0, 0.05);
+    point.zones = {at.isInShadow ? Zone::umbra : Zone::lit};
+    for (AimLine& line : point.lines[0])
+        line.toLight = at.isInShadow ? Sight::blocked : Sight::open;
+    const Parts parts = partsOf(point, made.last());
+    point.colour = parts.ambient;
+    if (at.comesOutLit) point.colour += parts.diffuse + parts.specular;
+}
+
+/// What is told of points in the shadow of a sphere near the floor, in that of one far above it,
+/// and in none.
+/// @param nearIsLit, farIsLit    Whether points in these shadows come out lit.
+/// @param nearHeight, farHeight  Of the lowest points of the spheres, above the floor.
 std::string toldOfSpheres(bool nearIsLit, bool farIsLit, double nearHeight = 1.0,
                           double farHeight = 9.0) {
+    constexpr double kNearRadius = 0.4;
+    constexpr double kFarRadius = 0.9;
+    const Vector3 nearCentre{0.0, nearHeight + kNearRadius, 0.0};
+    const Vector3 farCentre{2.0, farHeight + kFarRadius, 0.0};
     ShadowByHand made;
-    raytracer::SceneDescription& scene =
-        made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}}).question.scene;
-    scene.ambientLighting = ColourRGB{0.3};
-    scene.planes[0].material.colour = {0.8, 0.6, 0.4};
-    scene.spheres.push_back({{0.0, nearHeight + 0.4, 0.0}, 0.4, {}, nullptr});
-    scene.spheres.push_back({{2.0, farHeight + 0.9, 0.0}, 0.9, {}, nullptr});
-    const double under = 2.0 * 16.0 / (15.1 - farHeight);
-    for (const double x : {0.0, 0.0, under, under, -4.0, -5.0}) {
-        PointLog& point = made.point({x, 0.0, 0.0});
-        point.point.object = 2;
-        made.castArc(10, 0, 0.05);
-        const bool isLit = x < 0.0 || (x == 0.0 ? nearIsLit : farIsLit);
-        point.zones = {x < 0.0 ? Zone::lit : Zone::umbra};
-        for (AimLine& line : point.lines[0])
-            line.toLight = x < 0.0 ? Sight::open : Sight::blocked;
-        const Parts parts = partsOf(point, made.last());
-        point.colour = parts.ambient;
-        if (isLit) point.colour += parts.diffuse + parts.specular;
-    }
-    const auto finding = checkArithmetic(made.logs()).finding;
-    return finding ? idOf(finding) + ": " + finding->message + " | " + finding->hint : "";
+    askAboutFloor(made).spheres = {{nearCentre, kNearRadius, {}, nullptr},
+                                   {farCentre, kFarRadius, {}, nullptr}};
+    const double nearShadow = 0.0;
+    const double farShadow = farCentre.x * kLightHeight / (kLightHeight - farCentre.y);
+    for (const FloorPoint& at : {FloorPoint{nearShadow, true, nearIsLit},
+                                 {nearShadow, true, nearIsLit},
+                                 {farShadow, true, farIsLit},
+                                 {farShadow, true, farIsLit},
+                                 {-4.0, false, true},
+                                 {-5.0, false, true}})
+        addPoint(made, at);
+    return toldAbout(made);
 }
 
 TEST(ExplainedShadows, KnowsASquaredDistanceThatIsComparedWithAPlainOne) {
