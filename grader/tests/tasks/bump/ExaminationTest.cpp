@@ -106,9 +106,11 @@ TEST(ReadHints, TellColumnsAndRowsThatAreNeverRead) {
         return hintsOf([=](const Place&, const selftest::Point&) { return std::pair(times, 5.0); })
             .lastColumnsSeen;
     };
-    // A slope of eight bytes for each texel is 0.157, and at a tooth's end of 120 bytes 2.36.
-    EXPECT_FALSE(tilted(1.9e-5 / 2.36));
-    EXPECT_TRUE(tilted(2.1e-5 / 0.157));
+    constexpr double kSomeTilt = 2e-5;   // as in Examination.cpp
+    constexpr double kGentlest = 0.157;  // slope of eight bytes for each texel
+    constexpr double kSteepest = 2.36;   // slope of 120 bytes, at a tooth's end
+    EXPECT_FALSE(tilted(0.95 * kSomeTilt / kSteepest)) << "no slope tilts enough";
+    EXPECT_TRUE(tilted(1.05 * kSomeTilt / kGentlest)) << "every slope does";
 }
 
 TEST(ReadHints, TellThatTheOrderOfThePointsMatters) {

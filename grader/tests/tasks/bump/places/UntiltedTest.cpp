@@ -95,23 +95,39 @@ TEST(ReadUntilted, SeesEachCondition) {
                }));
 }
 
+/// Whether the point lies in the left half of a map of this width, by which the tests know the
+/// map.
+bool isInLeftHalf(const Point& point, int width) {
+    return point.map.width() == width && columnOf(point) < width / 2;
+}
+
+/// The right one of the two columns that code reads as a pair.
+/// @param first  The left column of some pair: 0 or 1.
+int rightOfPair(int column, int first) {
+    const int pair = (column + first) / 2;
+    return 2 * pair + 1 - first;
+}
+
 // Code that reads every other column sees no step within its pairs.
 TEST(ReadUntilted, SeesColumnsThatAreReadInPairs) {
+    constexpr int kWidth = 120;  // of the maps of evenSteps and oddSteps
+    constexpr int kAnyRow = 3;   // the rows of their left halves are the same
     for (const int first : {0, 1}) {
         const Untilted untilted =
             untiltedOf(smoothWhere([first](const Point& point, const Vector3&) {
-                return point.map.width() == 120 && columnOf(point) < 60 &&
-                       point.map.at(columnOf(point), 3) ==
-                           point.map.at((columnOf(point) + first) / 2 * 2 + 1 - first, 3);
+                if (!isInLeftHalf(point, kWidth)) return false;
+                const int column = columnOf(point);
+                return point.map.at(column, kAnyRow) ==
+                       point.map.at(rightOfPair(column, first), kAnyRow);
             }));
         EXPECT_NE(untilted.good(Whereabouts::evenSteps), untilted.good(Whereabouts::oddSteps));
     }
 }
 
 TEST(ReadUntilted, SeesAConditionOnTheSumOfBothSlopes) {
-    const Untilted untilted = untiltedOf(smoothWhere([](const Point& point, const Vector3&) {
-        return point.map.width() == 280 && columnOf(point) < 140;
-    }));
+    constexpr int kWidth = 280;  // of the map of onDiagonals
+    const Untilted untilted = untiltedOf(smoothWhere(
+        [](const Point& point, const Vector3&) { return isInLeftHalf(point, kWidth); }));
     EXPECT_FALSE(untilted.good(Whereabouts::onDiagonals));
 }
 
