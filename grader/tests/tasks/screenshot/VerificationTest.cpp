@@ -1,66 +1,40 @@
 #include <grader/tasks/screenshot/Verification.h>
+#include <grader/tests/tasks/screenshot/GreyExaminee.h>
 
 #include <raytracer/image/ToneCurve.h>
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// Grey with equal noise in every channel, linear.
+/// Adds noise to a linear grey.
 class Noise {
 public:
     explicit Noise(std::uint32_t seed) : state_(seed) {}
-    [[nodiscard]] raytracer::ColourRGB colour(double grey) {
+    [[nodiscard]] double added(double grey) {
         state_ = state_ * 1664525U + 1013904223U;
-        return raytracer::ColourRGB{grey + 0.1 * (state_ >> 16U) / 65536.0};
+        return grey + 0.1 * (state_ >> 16U) / 65536.0;
     }
 
 private:
     std::uint32_t state_;
 };
 
-/// Renders the next of these greys in each run; no answer after the last one.
-class GreyCode final : public probe::Examinee {
-public:
-    explicit GreyCode(std::vector<double> greys) : greys_(std::move(greys)) {}
-
-    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
-        probe::Run run;
-        for (const probe::Question& question : questions) {
-            const auto& settings = std::get<probe::RenderQuestion>(question).settings;
-            probe::RenderAnswer answer;
-            answer.width = settings.imageWidth();
-            answer.height = settings.imageHeight();
-            answer.images.resize(1);
-            if (runs_ < greys_.size()) answer.state = probe::AnswerState::answered;
-            for (int i = 0; i < answer.width * answer.height && runs_ < greys_.size(); ++i)
-                answer.images[0].push_back(noise_.colour(greys_[runs_]));
-            run.answers.emplace_back(std::move(answer));
-        }
-        ++runs_;
-        return run;
-    }
-    [[nodiscard]] std::size_t runs() const { return runs_; }
-
-private:
-    std::vector<double> greys_;
-    Noise noise_{7};
-    std::size_t runs_ = 0;
-};
-
-/// What is said of a picture of grey 0.3, and how often the code ran, if it renders one of these
-/// greys in each run.
+/// What is said of a picture of grey 0.3, and how often the code ran, if it renders the next of
+/// these greys in each run and answers no more after the last one.
 struct Said {
     Verification verification;
     std::size_t runs;
 };
 Said say(const std::vector<double>& greys, bool isDeterministic = false) {
-    GreyCode code{greys};
+    GreyExaminee code{
+        {.grey = [&greys, noise = Noise{7}](
+                     const GreyPixel& pixel) mutable { return noise.added(greys[pixel.run]); },
+         .answeredRuns = greys.size()}};
     const raytracer::SceneDescription description;
     Scene scene;
     scene.isRandom = !isDeterministic;
@@ -69,22 +43,11 @@ Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     Picture picture{640, 480, {}};
     Noise noise{1};
     for (int i = 0; i < picture.width * picture.height; ++i)
-        for (const std::uint8_t byte : raytracer::toneMapped(noise.colour(0.3)))
+        for (const std::uint8_t byte :
+             raytracer::toneMapped(raytracer::ColourRGB{noise.added(0.3)}))
             picture.rgb.push_back(byte);
     return {verify(picture.view(), scene, 5), code.runs()};
 }
-
-/// Answers nothing; its process ends in this way.
-class Ending final : public probe::Examinee {
-public:
-    explicit Ending(probe::ProcessEnd end) : end_(std::move(end)) {}
-    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
-        return {std::vector<probe::Answer>(questions.size(), probe::RenderAnswer{}), end_};
-    }
-
-private:
-    probe::ProcessEnd end_;
-};
 
 Verification verifyBlack(probe::Examinee& code) {
     const raytracer::SceneDescription description;
@@ -97,16 +60,16 @@ Verification verifyBlack(probe::Examinee& code) {
 
 TEST(Verify, TellsOurFailureFromTheCodes) {
     using Kind = probe::ProcessEnd::Kind;
-    Ending ours{{Kind::ourFault, "no memory for the sandbox"}};
+    EndingExaminee ours{{Kind::ourFault, "no memory for the sandbox"}};
     EXPECT_EQ(verifyBlack(ours).kind, Verification::Kind::ourFault);
     EXPECT_EQ(verifyBlack(ours).why, "no memory for the sandbox");
     for (const Kind kind : {Kind::crashed, Kind::timedOut, Kind::memory, Kind::exitedEarly}) {
-        Ending bad{{kind, ""}};
+        EndingExaminee bad{{kind, ""}};
         EXPECT_EQ(verifyBlack(bad).kind, Verification::Kind::unknown);
         EXPECT_EQ(verifyBlack(bad).why,
                   "this code did not finish when it was asked for parts of the frame");
     }
-    Ending whole{{Kind::finished, ""}};
+    EndingExaminee whole{{Kind::finished, ""}};
     EXPECT_EQ(verifyBlack(whole).why, "this code renders whole frames only, no part of one");
 }
 
