@@ -11,7 +11,11 @@ using probe::Event;
 const ColourRGB kBackground{0.001};
 const ColourRGB kAmbient{2.0, 3.0, 4.0};
 
-/// A frame of one pixel that asks for two rays; its scene is a ball on the right.
+constexpr int kNothing = -1;
+constexpr int kBall = 0;
+
+/// The log of a frame of one pixel that asks for two rays; its scene is a ball on the right, kBall.
+/// Every lens ray starts at a place x of the lens and goes through the middle of the focal plane.
 struct OnePixel {
     probe::RenderQuestion question;
     probe::RenderAnswer answer;
@@ -26,7 +30,8 @@ struct OnePixel {
         material.colour = ColourRGB{0.5, 0.5, 0.5};
         question.scene.spheres.push_back({{2.0, 0.0, 5.0}, 1.0, material, nullptr});
     }
-    void tell(Event::Kind kind, const Vector3& a, const Vector3& b = {}, int object = -1) {
+    /// Logs an event; see Event for what `a` and `b` are.
+    void tell(Event::Kind kind, const Vector3& a, const Vector3& b = {}, int object = kNothing) {
         Event event;
         event.kind = kind;
         event.a = a;
@@ -35,29 +40,32 @@ struct OnePixel {
         event.bounces = question.settings.bounces;
         answer.events.push_back(event);
     }
+    /// A lens ray is cast and hits this object; the code may trace it or not.
     void cast(double x, int object) {
-        tell(Event::Kind::rayCast, {x, 0.0, 0.0}, towards(x), object);
+        tell(Event::Kind::rayCast, {x, 0.0, 0.0}, towardsFocus(x), object);
     }
+    /// `trace` follows a lens ray, with this result.
     void trace(double x, const ColourRGB& colour) {
-        tell(Event::Kind::traceBegan, {x, 0.0, 0.0}, towards(x));
+        tell(Event::Kind::traceBegan, {x, 0.0, 0.0}, towardsFocus(x));
         tell(Event::Kind::traceEnded, {colour.r, colour.g, colour.b});
     }
+    /// Ends the frame with this colour of the pixel, and reads the log.
     LensLog setPixel(const ColourRGB& colour) {
         tell(Event::Kind::pixelSet, {colour.r, colour.g, colour.b});
         answer.images = {{colour}};
         return readLensLog(question, answer);
     }
-    [[nodiscard]] Vector3 towards(double x) const {
+    [[nodiscard]] Vector3 towardsFocus(double x) const {
         return {-x, 0.0, question.settings.dofFocalPlane};
     }
 };
 
 TEST(LensLog, CountsARayThatHitNothingAndWasNotTraced) {
-    OnePixel asked;
-    asked.cast(0.1, -1);
-    asked.cast(-0.1, 0);
-    asked.trace(-0.1, kAmbient);
-    const LensLog log = asked.setPixel((kAmbient + kBackground) / 2.0);
+    OnePixel frame;
+    frame.cast(0.1, kNothing);
+    frame.cast(-0.1, kBall);
+    frame.trace(-0.1, kAmbient);
+    const LensLog log = frame.setPixel((kAmbient + kBackground) / 2.0);
     ASSERT_EQ(log.pixels[0].rays.size(), 2U);
     EXPECT_EQ(log.pixels[0].rays[0].value, kBackground);
     EXPECT_EQ(log.pixels[0].rays[1].value, kAmbient);
@@ -65,62 +73,62 @@ TEST(LensLog, CountsARayThatHitNothingAndWasNotTraced) {
 }
 
 TEST(LensLog, SeesThatSuchRaysAreLeftOutOfTheMean) {
-    OnePixel asked;
-    asked.cast(0.1, -1);
-    asked.cast(-0.1, 0);
-    asked.trace(-0.1, kAmbient);
-    const auto finding = checkAverage(asked.setPixel(kAmbient));
+    OnePixel frame;
+    frame.cast(0.1, kNothing);
+    frame.cast(-0.1, kBall);
+    frame.trace(-0.1, kAmbient);
+    const auto finding = checkAverage(frame.setPixel(kAmbient));
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->id, "dof.not-averaged");
 }
 
 TEST(LensLog, CountsARayOnceThatWasAskedAboutAndThenTraced) {
-    OnePixel asked;
-    asked.cast(0.1, -1);
-    asked.trace(0.1, kBackground);
-    asked.cast(-0.1, 0);
-    EXPECT_EQ(asked.setPixel(kBackground).pixels[0].rays.size(), 1U);
+    OnePixel frame;
+    frame.cast(0.1, kNothing);
+    frame.trace(0.1, kBackground);
+    frame.cast(-0.1, kBall);
+    EXPECT_EQ(frame.setPixel(kBackground).pixels[0].rays.size(), 1U);
 }
 
 TEST(LensLog, LeavesOutARayThatOnlyLookedBesidesAllThatWereTraced) {
-    OnePixel asked;
-    asked.cast(0.0, -1);
-    asked.trace(0.1, kAmbient);
-    asked.trace(-0.1, kAmbient);
-    const LensLog log = asked.setPixel(kAmbient);
+    OnePixel frame;
+    frame.cast(0.0, kNothing);
+    frame.trace(0.1, kAmbient);
+    frame.trace(-0.1, kAmbient);
+    const LensLog log = frame.setPixel(kAmbient);
     EXPECT_EQ(log.pixels[0].rays.size(), 2U);
     EXPECT_FALSE(checkAverage(log));
 }
 
 TEST(LensLog, CountsSuchARayBesidesAsManyTracedOnesAsAskedIfTheColourIsTheMeanOfAll) {
-    OnePixel asked;
-    asked.cast(0.0, -1);
-    asked.trace(0.1, kAmbient);
-    asked.trace(-0.1, kAmbient);
-    const LensLog log = asked.setPixel((kAmbient * 2.0 + kBackground) / 3.0);
+    OnePixel frame;
+    frame.cast(0.0, kNothing);
+    frame.trace(0.1, kAmbient);
+    frame.trace(-0.1, kAmbient);
+    const LensLog log = frame.setPixel((kAmbient * 2.0 + kBackground) / 3.0);
     EXPECT_EQ(log.pixels[0].rays.size(), 3U);
     EXPECT_FALSE(checkAverage(log));
 }
 
 TEST(LensLog, RecomputesWhatRaysOfAnotherRecursionGave) {
     for (const bool leftOut : {false, true}) {
-        OnePixel asked;
-        asked.cast(0.1, -1);
-        asked.cast(-0.1, 0);
+        OnePixel frame;
+        frame.cast(0.1, kNothing);
+        frame.cast(-0.1, kBall);
         const ColourRGB hit = kAmbient * 0.5;
         const auto finding =
-            checkAverage(asked.setPixel(leftOut ? hit : (hit + kBackground) / 2.0));
+            checkAverage(frame.setPixel(leftOut ? hit : (hit + kBackground) / 2.0));
         EXPECT_EQ(finding.has_value(), leftOut);
     }
 }
 
 TEST(LensLog, JoinsATracedRayWithThoseOfAnotherRecursionWhereBothGiveTheColour) {
     for (const bool counted : {false, true}) {
-        OnePixel asked;
-        asked.trace(0.1, kBackground);
-        asked.cast(-0.1, 0);
+        OnePixel frame;
+        frame.trace(0.1, kBackground);
+        frame.cast(-0.1, kBall);
         const ColourRGB together = (kBackground + kAmbient * 0.5) / 2.0;
-        const LensLog log = asked.setPixel(counted ? together : kBackground);
+        const LensLog log = frame.setPixel(counted ? together : kBackground);
         EXPECT_EQ(log.pixels[0].rays.size(), counted ? 2U : 1U);
         EXPECT_FALSE(checkAverage(log).has_value());
     }
@@ -128,23 +136,23 @@ TEST(LensLog, JoinsATracedRayWithThoseOfAnotherRecursionWhereBothGiveTheColour) 
 
 /// Two pixels, rendered in two passes over the picture; the second pass sets the pixels.
 LensLog readTwoPasses(bool asksCamera) {
-    OnePixel asked;
-    asked.question.settings.width = 2;
+    OnePixel frame;
+    frame.question.settings.width = 2;
     for (const int pass : {1, 2})
         for (const int x : {0, 1}) {
-            if (asksCamera) asked.tell(Event::Kind::cameraRayAsked, {});
-            if (asksCamera) asked.answer.events.back().x = x;
+            if (asksCamera) frame.tell(Event::Kind::cameraRayAsked, {});
+            if (asksCamera) frame.answer.events.back().x = x;
             const Vector3 lens{0.01 * pass, 0.0, 0.0};
-            const Vector3 pinhole = pinholeDirection(asked.question.settings, x, 0);
-            const Vector3 focus = pinhole * (asked.question.settings.dofFocalPlane / pinhole.z);
-            asked.tell(Event::Kind::traceBegan, lens, focus - lens);
-            asked.tell(Event::Kind::traceEnded, {1.0 * pass, 0.0, 0.0});
+            const Vector3 pinhole = pinholeDirection(frame.question.settings, x, 0);
+            const Vector3 focus = pinhole * (frame.question.settings.dofFocalPlane / pinhole.z);
+            frame.tell(Event::Kind::traceBegan, lens, focus - lens);
+            frame.tell(Event::Kind::traceEnded, {1.0 * pass, 0.0, 0.0});
             if (pass == 1) continue;
-            asked.tell(Event::Kind::pixelSet, {});
-            asked.answer.events.back().x = x;
+            frame.tell(Event::Kind::pixelSet, {});
+            frame.answer.events.back().x = x;
         }
-    asked.answer.images = {{ColourRGB{1.5, 0.0, 0.0}, ColourRGB{1.5, 0.0, 0.0}}};
-    return readLensLog(asked.question, asked.answer);
+    frame.answer.images = {{ColourRGB{1.5, 0.0, 0.0}, ColourRGB{1.5, 0.0, 0.0}}};
+    return readLensLog(frame.question, frame.answer);
 }
 
 TEST(LensLog, GivesEachPixelItsRaysIfTheLastOfSeveralPassesSetsThePixels) {
@@ -158,13 +166,13 @@ TEST(LensLog, GivesEachPixelItsRaysIfTheLastOfSeveralPassesSetsThePixels) {
 }
 
 TEST(LensLog, DoesNotTakeAReflectionForALensRay) {
-    OnePixel asked;
-    asked.cast(0.1, 0);
-    asked.tell(Event::Kind::traceBegan, {1.0, 0.0, 5.0}, {-1.0, 0.0, 0.0});
-    asked.answer.events.back().bounces = asked.question.settings.bounces - 1;
-    asked.tell(Event::Kind::traceEnded, {0.0, 0.0, 0.0});
-    asked.cast(-0.1, 0);
-    const LensLog log = asked.setPixel(kAmbient);
+    OnePixel frame;
+    frame.cast(0.1, kBall);
+    frame.tell(Event::Kind::traceBegan, {1.0, 0.0, 5.0}, {-1.0, 0.0, 0.0});
+    frame.answer.events.back().bounces = frame.question.settings.bounces - 1;
+    frame.tell(Event::Kind::traceEnded, {0.0, 0.0, 0.0});
+    frame.cast(-0.1, kBall);
+    const LensLog log = frame.setPixel(kAmbient);
     ASSERT_EQ(log.pixels[0].rays.size(), 2U);
     EXPECT_FALSE(log.pixels[0].rays[0].value);
 }
