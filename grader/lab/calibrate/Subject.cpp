@@ -33,6 +33,10 @@ bool Subject::isStatistical() const {
                        [&](const FindingText* text) { return expect.names(text->id); });
 }
 
+bool Subject::isDataRace() const {
+    return expect.names(tasks::kShadowThreadsMixed.id) || expect.names(tasks::kDofThreadsMixed.id);
+}
+
 std::string Subject::ownTask() const {
     return task.empty() ? std::ranges::find(exercise->tasks, file, &TaskEntry::file)->id : task;
 }

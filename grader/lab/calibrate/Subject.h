@@ -37,6 +37,8 @@ struct Subject {
     [[nodiscard]] bool isUnseen() const;
     /// Only a distribution is wrong, so that statistics must find it.
     [[nodiscard]] bool isStatistical() const;
+    /// Threads share what each needs for itself. In some runs none of them disturbs another.
+    [[nodiscard]] bool isDataRace() const;
 };
 
 /// Subjects that campaigns repeat or look at more closely; all draw from the kit's generator alone.

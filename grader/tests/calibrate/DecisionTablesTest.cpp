@@ -1,0 +1,51 @@
+#include <grader/lab/calibrate/BlockRecord.h>
+#include <grader/lab/calibrate/campaigns/DecisionTables.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace ticker::calibrate {
+namespace {
+
+Subject mistake(const std::string& finding) {
+    Subject subject;
+    subject.name = "T2.1/some-mistake";
+    subject.task = "T2.1";
+    subject.file = "Renderer.cpp";
+    subject.expect.states = {"failed"};
+    subject.expect.findings = {finding};
+    return subject;
+}
+
+/// The tables of 100 decisions.
+Summary tables(const Subject& subject, std::size_t missed, std::size_t named) {
+    BlockRecord block;
+    block.subject = subject.name;
+    block.task = subject.task;
+    block.decisions = 100;
+    block.wrongState = missed;
+    block.wrongName = named;
+    block.cpu = {{20, 100}};
+    return tablesOf({subject}, {block.json()});
+}
+
+TEST(DecisionTables, ExpectThatNoMistakeIsMissed) {
+    const Subject exact = mistake(std::string{tasks::kShadowWrong.id});
+    EXPECT_TRUE(tables(exact, 0, 2).asExpected);
+    EXPECT_FALSE(tables(exact, 1, 0).asExpected);
+    EXPECT_FALSE(tables(exact, 0, 3).asExpected) << "too many have another name";
+}
+
+TEST(DecisionTables, GrantOneDataRaceInFiftyThatNoThreadDisturbsAnother) {
+    const Subject race = mistake(std::string{tasks::kShadowThreadsMixed.id});
+    EXPECT_TRUE(tables(race, 2, 0).asExpected);
+    EXPECT_FALSE(tables(race, 3, 0).asExpected);
+    EXPECT_NE(tables(race, 2, 0).text.find("| data races that passed | 100 | 2 |"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace ticker::calibrate
