@@ -103,8 +103,8 @@ void nameAfter(const std::string& person, int depth, Below& child) {
     }
 }
 
-// The submissions of a folder that is none itself. Beside a student's folder, another one with
-// contents is a student's, too, even if nothing in it has a right name.
+// The submissions in a folder of several. Beside a student's folder, another one with contents is a
+// student's, too, even if nothing in it has a right name.
 std::vector<Place> placesBelow(Level level, int depth) {
     const bool people = arePeople(level);
     std::vector<Place> places;

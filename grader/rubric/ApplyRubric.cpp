@@ -72,7 +72,7 @@ double pointsIf(OfTask is, const Rubric& rubric, const SubmissionResult& result)
     return std::min(points, rubric.maxScore);
 }
 
-/// True if `is` holds for a task of the exercise; the screenshot's is none.
+/// True if `is` holds for a task of the exercise. The screenshot does not count.
 bool anyExercise(OfTask is, const Rubric& rubric, const SubmissionResult& result) {
     return std::any_of(result.tasks.begin(), result.tasks.end(), [&](const TaskReport& task) {
         return task.id != rubric.screenshotTask && is(task);

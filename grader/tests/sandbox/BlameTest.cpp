@@ -62,7 +62,7 @@ TEST_P(LockedBlame, LeavesAKillToAProgramThatTookMuchMemory) {
     EXPECT_EQ(killDuring({"fill", "16"}).end, Outcome::End::failed);
 }
 
-// A program that kills itself must not look like one that somebody else killed. The kernel reads
+// A program that kills itself must not look like one that was killed from outside. The kernel reads
 // the lower 32 bits of the signal's number.
 TEST_P(LockedBlame, EndsWhoSendsItselfTheSignalOfOthers) {
     for (const char* number : {"9", "0x100000009", "0x7fffffff00000009"})

@@ -81,8 +81,8 @@ private:
         return poll(&polled, 1, waitMs) == 1;
     }
 
-    // Drops what sleepers wrote, until nobody holds the pipe's other end. False when nothing comes
-    // for too long.
+    // Drops what sleepers wrote, until every process has closed the pipe's other end. False when
+    // nothing comes for too long.
     [[nodiscard]] bool reachesEndOfPipe() {
         std::array<char, 8> dropped{};
         while (canReadPipe(kPatienceMs)) {

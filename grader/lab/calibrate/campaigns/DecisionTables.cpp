@@ -95,7 +95,7 @@ struct Sums {
 };
 
 // A data race is missed in a run in which no thread disturbs another.
-constexpr std::size_t kRacesForOneMissed = 50;
+constexpr std::size_t kRacesForOneMissed = 100;
 constexpr std::size_t kCaughtForOneOtherName = 50;
 
 Summary rightTables(const Sums& sums, const std::string& rows) {
