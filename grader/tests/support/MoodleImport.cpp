@@ -72,7 +72,7 @@ std::string identifierOf(int id) {
     return std::string{kIdentifierWord} + std::to_string(id);
 }
 
-/// The number after the word; 0 if there is none.
+/// The number after the word; 0 for an identifier without a number.
 int participantOf(const std::string& identifier) {
     const std::size_t begin = std::min(kIdentifierWord.size(), identifier.size());
     return std::atoi(identifier.substr(begin).c_str());
