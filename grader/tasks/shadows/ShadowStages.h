@@ -13,7 +13,8 @@ namespace ticker::tasks {
 [[nodiscard]] Stage judgePenumbra(probe::Examinee& examinee, PenumbraShelf& shelf,
                                   std::uint64_t seed, std::uint64_t stage);
 /// Judges `illuminate` inside of `render`. With one thread a difference from single points needs
-/// review; with two threads a difference from one thread fails.
+/// review; with two threads a difference from one thread fails. Two threads are asked again, up to
+/// seven times, until they have interrupted each other at enough points.
 /// @param visible  What single points showed: a render is expected to show as much.
 [[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
                                    std::uint64_t stage, const VisibleRays& visible);

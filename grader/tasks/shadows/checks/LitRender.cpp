@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,8 @@ public:
     }
 
     void read(const Event& event) {
+        for (auto& [thread, open] : open_)
+            if (thread != event.thread) open.isInterrupted = true;
         switch (event.kind) {
             case Event::Kind::illuminateBegan:
                 begin(event);
@@ -80,11 +83,14 @@ private:
     struct Open {
         probe::LitPoint point;
         std::vector<Event> rays;
+        bool isInterrupted = false;
     };
 
     void begin(const Event& event) {
         if (event.object != wall_ || !isFinite(event.a) || !isFinite(event.b)) return;
         open_[event.thread] = {{event.object, event.a, event.b, {}}, {}};
+        if (!firstThread_) firstThread_ = event.thread;
+        if (*firstThread_ != event.thread) lit_.severalThreads = true;
     }
     void setViewer(const Event& event) {
         if (const auto open = open_.find(event.thread); open != open_.end())
@@ -118,6 +124,7 @@ private:
         lit_.asked.question.points.push_back(open->second.point);
         lit_.asked.zones.emplace_back(lit_.asked.question.scene.pointLights.size(), Zone::penumbra);
         lit_.answer.colours.push_back({event.a.x, event.a.y, event.a.z});
+        if (open->second.isInterrupted) ++lit_.interrupted;
         open_.erase(open);
     }
 
@@ -125,6 +132,7 @@ private:
     int wall_;
     LitRender lit_;
     std::map<std::uint16_t, Open> open_;  // by thread
+    std::optional<std::uint16_t> firstThread_;
     std::vector<std::array<long long, 6>> lensRays_;
 };
 

@@ -23,6 +23,8 @@ struct LitRender {
     probe::IlluminateAnswer answer;  ///< their colours and rays
     std::size_t lensRays = 0;        ///< distinct rays from outside
     std::size_t looseRays = 0;  ///< rays between the wall and a light that no point's lighting cast
+    bool severalThreads = false;  ///< of those that lit points
+    std::size_t interrupted = 0;  ///< points in whose lighting another thread did something
 };
 [[nodiscard]] LitRender readLitRender(const probe::RenderQuestion& asked,
                                       const probe::RenderAnswer& answer);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -213,6 +214,92 @@ TEST(JudgeShadows, PassesOneVisibleRayToALightInRendersIfPointsShowNoMore) {
         ASSERT_EQ(fewer.findings.size(), 1U);
         EXPECT_EQ(fewer.findings[0].id, "shadow.not-in-renders");
     }
+}
+
+/// A picture of one thread as if two had drawn it, one after the other: the second thread begins
+/// after half of the points.
+void drawnInTurn(probe::RenderAnswer& answer) {
+    constexpr int kHalf = 375;
+    int points = 0;
+    for (Event& event : answer.events) {
+        event.thread = points < kHalf ? 0 : 1;
+        if (event.kind == Event::Kind::illuminateEnded) ++points;
+    }
+}
+
+/// As if two threads had drawn the picture, each of them every other point. The lighting of a point
+/// of the first thread ends after that of the next point.
+void drawnTogether(probe::RenderAnswer& answer) {
+    int points = 0;
+    auto lastEnd = answer.events.begin();
+    for (auto event = answer.events.begin(); event != answer.events.end(); ++event) {
+        event->thread = static_cast<std::uint16_t>(points % 2);
+        if (event->kind != Event::Kind::illuminateEnded) continue;
+        if (++points % 2 == 0) std::rotate(lastEnd, lastEnd + 1, event + 1);
+        lastEnd = event;
+    }
+}
+
+TEST(LitRender, CountsThePointsInWhoseLightingAThreadWasInterrupted) {
+    tests::LocalExaminee reference;
+    const probe::RenderQuestion asked = drawLitQuestion(3, 1);
+    probe::RenderAnswer answer = render(asked, reference);
+    EXPECT_FALSE(readLitRender(asked, answer).severalThreads);
+    drawnInTurn(answer);
+    EXPECT_TRUE(readLitRender(asked, answer).severalThreads);
+    EXPECT_EQ(readLitRender(asked, answer).interrupted, 0U);
+    answer = render(asked, reference);
+    drawnTogether(answer);
+    EXPECT_EQ(readLitRender(asked, answer).interrupted, 375U);
+}
+
+/// The reference. With two threads it mixes up colours, but only if its threads interrupt each
+/// other, which they do from a certain question on.
+class RacesLate final : public probe::Examinee {
+public:
+    explicit RacesLate(int inTurn) : inTurn_(inTurn) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        AlteredExaminee alone{reference_, [](auto& settings) { settings.threads = 1; }};
+        probe::Run run = alone.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const auto* asked = std::get_if<probe::RenderQuestion>(&questions[i]);
+            if (asked != nullptr && asked->settings.threads > 1)
+                drawWithTwo(std::get<probe::RenderAnswer>(run.answers[i]));
+        }
+        return run;
+    }
+    [[nodiscard]] int asked() const { return asked_; }
+
+private:
+    void drawWithTwo(probe::RenderAnswer& answer) {
+        if (asked_++ < inTurn_) return drawnInTurn(answer);
+        drawnTogether(answer);
+        for (Event& event : answer.events)
+            if (event.kind == Event::Kind::illuminateEnded) event.a = event.a * 1.1;
+    }
+
+    tests::LocalExaminee reference_;
+    int inTurn_;
+    int asked_ = 0;
+};
+
+// On a busy machine a thread may draw its half of the picture while the other one waits.
+TEST(JudgeShadows, AsksAgainUntilThreadsInterruptEachOther) {
+    RacesLate busy{3};
+    const TaskJudgement judged = judgeShadows(busy, 5);
+    EXPECT_EQ(judged.state, TaskState::failed);
+    ASSERT_EQ(judged.findings.size(), 1U);
+    EXPECT_EQ(judged.findings[0].id, "shadow.threads-mixed");
+}
+
+// Code that lets only one thread at a time draw a pixel is right.
+TEST(JudgeShadows, PassesThreadsThatNeverInterruptEachOther) {
+    RacesLate never{1000};
+    const TaskJudgement judged = judgeShadows(never, 5);
+    EXPECT_EQ(judged.state, TaskState::passed);
+    EXPECT_FALSE(judged.needsReview);
+    EXPECT_LE(never.asked(), 10);
 }
 
 TEST(LitRender, SaysNothingOfRaysThatTheLogHadNoRoomFor) {
