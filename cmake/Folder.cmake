@@ -119,6 +119,6 @@ function(ticker_test)
     return()
   endif()
   gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}." TEST_FILTER "${ARG_FILTER}"
-    DISCOVERY_MODE PRE_TEST
+    NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST
     PROPERTIES ${properties})
 endfunction()

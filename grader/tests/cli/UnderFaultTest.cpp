@@ -145,7 +145,8 @@ TEST_P(FullDisk, IsNeverTheStudentsFault) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("3m", "5m", "20m"));
+INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("3m", "5m", "20m"),
+                         [](const auto& size) { return std::string{size.param}; });
 
 }  // namespace
 }  // namespace ticker::cli

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace ticker::repair {
 namespace {
@@ -27,9 +28,10 @@ struct Case {
     const char* leftAlone = "";  ///< functions that hold no mistake
 };
 
-// The name is what GoogleTest prints.
-void PrintTo(const Case& mistake, std::ostream* out) {
-    *out << mistake.name;
+std::string nameOfCase(const testing::TestParamInfo<Case>& mistake) {
+    std::string name = mistake.param.name;
+    std::ranges::replace(name, '-', '_');
+    return name;
 }
 
 corpus::Entry mistakeOf(const Case& wanted) {
@@ -63,34 +65,41 @@ constexpr const char* kMain = "tick1";
 INSTANTIATE_TEST_SUITE_P(Jumps, EditsOfMistakes,
                          testing::Values(Case{kMain, "returns-early", Reach::simple},
                                          Case{kMain, "ambient-shaded", Reach::simple},
-                                         Case{kMain, "loop-ends", Reach::simple}));
+                                         Case{kMain, "loop-ends", Reach::simple}),
+                         nameOfCase);
 INSTANTIATE_TEST_SUITE_P(Roots, EditsOfMistakes,
                          testing::Values(Case{kMain, "far-root", Reach::wide},
                                          Case{kMain, "inside-no-hit", Reach::wide},
                                          Case{kMain, "behind-absolute", Reach::wide},
                                          Case{kMain, "root-not-taken", Reach::wide},
-                                         Case{kMain, "radius-not-squared", Reach::wide}));
+                                         Case{kMain, "radius-not-squared", Reach::wide}),
+                         nameOfCase);
 INSTANTIATE_TEST_SUITE_P(CallsOfOneArgument, EditsOfMistakes,
                          testing::Values(Case{kMain, "location-is-point", Reach::wide},
                                          Case{kMain, "no-falloff", Reach::wide},
                                          Case{kMain, "intensity-alone", Reach::wide},
-                                         Case{kMain, "normal-of-ray", Reach::wide}));
+                                         Case{kMain, "normal-of-ray", Reach::wide}),
+                         nameOfCase);
 INSTANTIATE_TEST_SUITE_P(
     Steps, EditsOfMistakes,
     testing::Values(Case{kMain, "starts-at-origin", Reach::wide, "illuminate,isShadowed,"},
-                    Case{kMain, "one-bounce-only", Reach::wide, "illuminate,isShadowed,"}));
+                    Case{kMain, "one-bounce-only", Reach::wide, "illuminate,isShadowed,"}),
+    nameOfCase);
 INSTANTIATE_TEST_SUITE_P(Angles, EditsOfMistakes,
                          testing::Values(Case{kStarred, "atan-without-quadrant", Reach::simple},
-                                         Case{kStarred, "rows-by-height", Reach::wide}));
+                                         Case{kStarred, "rows-by-height", Reach::wide}),
+                         nameOfCase);
 INSTANTIATE_TEST_SUITE_P(Terms, EditsOfMistakes,
                          testing::Values(Case{kMain, "nearest-point", Reach::wide},
                                          Case{kMain, "radius-left-out", Reach::wide},
-                                         Case{kMain, "along-normal", Reach::wide}));
+                                         Case{kMain, "along-normal", Reach::wide}),
+                         nameOfCase);
 INSTANTIATE_TEST_SUITE_P(
     Blends, EditsOfMistakes,
     testing::Values(Case{kMain, "direct-lost", Reach::wide, "illuminate,isShadowed,"},
                     Case{kMain, "direct-whole", Reach::wide, "illuminate,isShadowed,"},
-                    Case{kMain, "seen-from-camera", Reach::wide, "illuminate,isShadowed,"}));
+                    Case{kMain, "seen-from-camera", Reach::wide, "illuminate,isShadowed,"}),
+    nameOfCase);
 
 /// How many edits of the reference's T1 with another end give a text that holds these words.
 std::size_t editsThatGive(const std::string& end, const std::string& words,

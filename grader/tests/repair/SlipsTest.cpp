@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 namespace ticker::repair {
 namespace {
@@ -25,8 +26,10 @@ struct Slip {
     const char* leftAlone = "";
 };
 
-void PrintTo(const Slip& slip, std::ostream* out) {
-    *out << slip.name;
+std::string nameOfSlip(const testing::TestParamInfo<Slip>& slip) {
+    std::string name = slip.param.name;
+    std::ranges::replace(name, '-', '_');
+    return name;
 }
 
 class EditsOfSlips : public testing::TestWithParam<Slip> {};
@@ -61,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"const Vector3 lensPoint{randomBetween(-settings().dofAmount, settings().dofAmount),",
          "const double a = randomBetween(-1.0, 1.0) * settings().dofAmount;\n"
          "const Vector3 lensPoint{a,"},
-        {"lensPoint{a,", "lensPoint{randomBetween(-1.0, 1.0) * settings().dofAmount,"}}));
+        {"lensPoint{a,", "lensPoint{randomBetween(-1.0, 1.0) * settings().dofAmount,"}}),
+    nameOfSlip);
 INSTANTIATE_TEST_SUITE_P(
     Formulas, EditsOfSlips,
     testing::Values(
@@ -82,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
               "focalPoint{pinholeRay.direction.x, pinholeRay.direction.y, 1.0};"},
              {"focalPoint{pinholeRay.direction.x, pinholeRay.direction.y, 1.0};",
               "focalPoint = pinholeRay.evaluateAt(settings().dofFocalPlane / "
-              "pinholeRay.direction.z);"}}));
+              "pinholeRay.direction.z);"}}),
+    nameOfSlip);
 INSTANTIATE_TEST_SUITE_P(
     Conditions, EditsOfSlips,
     testing::Values(
@@ -162,7 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
              {"scene.findClosestIntersection(shadowRay)",
               "scene.objects().front()->intersectionWith(shadowRay)"},
              {"scene.objects().front()->intersectionWith(shadowRay)",
-              "scene.findClosestIntersection(shadowRay)"}}));
+              "scene.findClosestIntersection(shadowRay)"}}),
+    nameOfSlip);
 INSTANTIATE_TEST_SUITE_P(
     Numbers, EditsOfSlips,
     testing::Values(
@@ -224,7 +230,8 @@ INSTANTIATE_TEST_SUITE_P(
               "std::min(colour.b, 1.0)};"},
              {"return {std::min(colour.r, 1.0), std::min(colour.g, 1.0), std::min(colour.b, "
               "1.0)};",
-              "return colour;"}}));
+              "return colour;"}}),
+    nameOfSlip);
 
 INSTANTIATE_TEST_SUITE_P(
     Sums, EditsOfSlips,
@@ -300,7 +307,8 @@ INSTANTIATE_TEST_SUITE_P(
              {"const double Bu = map.at(columnRight, row) -",
               "const auto at = [&](int x, int y) { return map.at(x, y); };\n"
               "const double Bu = at(row, columnRight) -"},
-             {"at(row, columnRight)", "at(columnRight, row)"}}));
+             {"at(row, columnRight)", "at(columnRight, row)"}}),
+    nameOfSlip);
 
 }  // namespace
 }  // namespace ticker::repair
