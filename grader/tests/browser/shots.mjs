@@ -11,6 +11,7 @@ const [out, images] = process.argv.slice(2).map((path) => resolve(path));
 const shots = process.env.TICKER_DRAWINGS ? [] : [
   ["class", "index.html", 1000, "light"],
   ["report", "bump-inverted-u/report.html", 1300, "light"],
+  ["report-student", "bump-inverted-u/student.html", 1100, "light"],
   ["report-passed", "reference-distributed/report.html", 1500, "light"],
   ["report-off-centre", "distributed-off-centre/report.html", 1500, "light"],
   ["report-compiler", "does-not-compile/report.html", 1100, "dark"],
