@@ -56,23 +56,11 @@ bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
     return coarse.response || (mostlyLevel && coarse.kind != RampKind::silent);
 }
 
-/// Whether the order of the points changes more than a few normals.
-bool differs(const Answers& answers, std::size_t forwards, std::size_t backwards) {
-    constexpr double kRounding = 1e-9;
-    constexpr double kSomePoints = 0.02;
-    const std::vector<Vector3> one = answers.tilts(forwards);
-    std::vector<Vector3> two = answers.tilts(backwards);
-    std::reverse(two.begin(), two.end());
-    double differing = 0.0;
-    for (std::size_t i = 0; i < one.size(); ++i)
-        if ((one[i] - two[i]).magnitude() > kRounding) differing += 1.0;
-    return differing > kSomePoints * static_cast<double>(one.size());
-}
-
 }  // namespace
 
 MainPlan planMain(std::uint64_t seed) {
     constexpr int kPoints = 1000;
+    constexpr int kOrderedPoints = 300;
     Draws draws(seed);
     MainPlan plan;
     plan.questionnaire = Questionnaire(seed);
@@ -93,6 +81,10 @@ MainPlan planMain(std::uint64_t seed) {
     plan.caps = planCaps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.fewTexels = planFewTexels(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.sharpSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
+    // So few rows that the last one holds many points.
+    plan.order = plan.questionnaire.addInBothOrders(drawBall(draws, 1.0), noiseMap(draws, 12, 6),
+                                                    draws.directions(kOrderedPoints));
+    plan.evenSteps = planEvenSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
     for (const LevelPair& pair :
          {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows,
@@ -100,8 +92,9 @@ MainPlan planMain(std::uint64_t seed) {
         plan.conduct.rough.push_back(pair.flat);
         plan.conduct.rough.push_back(pair.map);
     }
-    plan.conduct.rough.push_back(plan.fewTexels.columnRidges);
-    plan.conduct.rough.push_back(plan.fewTexels.rowRidges);
+    for (const std::size_t map : {plan.fewTexels.columnRidges, plan.fewTexels.rowRidges,
+                                  plan.order.forwards, plan.order.backwards})
+        plan.conduct.rough.push_back(map);
     for (const LevelPair& pair : plan.untilted.pairs)
         plan.conduct.rough.push_back(pair.map);
     return plan;
@@ -134,9 +127,7 @@ HintPlan planHints(std::uint64_t seed) {
     const std::vector<double> level = raytracer::questions::level(side);
     plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
     plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
-    plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);
-    const std::vector<Vector3> reversed(directions.rbegin(), directions.rend());
-    plan.backwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, reversed);
+    plan.order = plan.questionnaire.addInBothOrders(ball, {side, side, {}, late, late}, directions);
     plan.asideSphere = ask(drawBallAside(draws), kRise);
     return plan;
 }
@@ -157,6 +148,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     if (coarse && tellsMore(*coarse, examination.ramps()))
         examination.ladder = {*coarse, examination.ladder.flatTilt,
                               examination.ladder.sharedNormals};
+    examination.changedByOrder = answers.shareThatOrderChanges(plan.order);
     examination.proportion = readProportion(plan.proportion, answers);
     examination.untilted = readUntilted(plan.untilted, answers);
     examination.elsewhere = readElsewhere(plan.elsewhere, answers);
@@ -173,10 +165,12 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.stripes = readStripes(plan.stripes, answers, ramps);
     examination.caps = readCaps(plan.caps, answers, parametrisation);
     examination.fewTexels = readFewTexels(plan.fewTexels, answers, parametrisation);
+    examination.evenSteps = readEvenSteps(plan.evenSteps, answers, parametrisation);
     return examination;
 }
 
 Hints readHints(const HintPlan& plan, const Answers& answers) {
+    constexpr double kSomeOfAllPoints = 0.02;
     const auto judge = [&](const RampPlan& ramps) {
         return judgeRamps(ramps.shape, readRamps(ramps, answers));
     };
@@ -186,7 +180,7 @@ Hints readHints(const HintPlan& plan, const Answers& answers) {
             judge(plan.asideSphere),
             seesSlope(answers, plan.square.uFlat, plan.lastColumns),
             seesSlope(answers, plan.square.vFlat, plan.lastRows),
-            differs(answers, plan.forwards, plan.backwards)};
+            answers.shareThatOrderChanges(plan.order) > kSomeOfAllPoints};
 }
 
 }  // namespace ticker::tasks::bump

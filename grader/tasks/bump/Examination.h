@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/answers/Letters.h>
 #include <grader/tasks/bump/places/Caps.h>
 #include <grader/tasks/bump/places/Elsewhere.h>
+#include <grader/tasks/bump/places/EvenSteps.h>
 #include <grader/tasks/bump/places/FewTexels.h>
 #include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tasks/bump/questions/CoarseRamps.h>
@@ -41,6 +42,8 @@ struct MainPlan {
     ElsewherePlan elsewhere;
     CapPlan caps;
     FewTexelPlan fewTexels;
+    EvenStepPlan evenSteps;
+    OrderPair order;
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -58,8 +61,7 @@ struct HintPlan {
     RampPlan asideSphere;         ///< far to one side and below
     std::size_t lastColumns = 0;  ///< a map with slopes in its last columns only
     std::size_t lastRows = 0;
-    std::size_t forwards = 0;   ///< one map at the same points,
-    std::size_t backwards = 0;  ///< in the opposite order
+    OrderPair order;
 };
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);
@@ -67,7 +69,8 @@ struct HintPlan {
 /// Results of the first and second run.
 struct Examination {
     Conduct conduct;
-    bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
+    bool mapIgnored = false;      ///< two maps on the same sphere gave the same tilts
+    double changedByOrder = 0.0;  ///< share of the points of `MainPlan::order`
     LadderJudgement ladder;
     Proportion proportion;
     Untilted untilted;
@@ -82,6 +85,7 @@ struct Examination {
     std::optional<StripeAgreement> stripes;
     std::optional<Caps> caps;
     std::optional<FewTexels> fewTexels;
+    std::optional<EvenSteps> evenSteps;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// Whether the steep ramps, the large map and the maps of `SlopePlan` agree with the ramps.

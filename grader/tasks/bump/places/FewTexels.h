@@ -48,6 +48,12 @@ struct FewTexels {
     double beforeLastColumn = 1.0;
     double beforeLastRow = 1.0;
 
+    /// On the map that varies along u alone: share of the points in the outer half of the first or
+    /// the last column, whichever is larger, that tilt nearly as much as where the wave is
+    /// steepest. The wave is level there, and right code gives 0. Code that takes a column far away
+    /// from the seam gives 1.
+    double steepAtSeam = 0.0;
+
     static constexpr double kLeast = 0.6;
     static constexpr double kLeastBeforeLast = 0.12;
     [[nodiscard]] bool goodU() const {
@@ -58,7 +64,9 @@ struct FewTexels {
     }
     static constexpr double kMostAside = 0.5;
     [[nodiscard]] bool goodAside() const { return aside <= kMostAside; }
-    [[nodiscard]] bool good() const { return goodU() && goodV() && goodAside(); }
+    static constexpr double kMostSteep = 0.5;
+    [[nodiscard]] bool goodSeam() const { return steepAtSeam <= kMostSteep; }
+    [[nodiscard]] bool good() const { return goodU() && goodV() && goodAside() && goodSeam(); }
 };
 
 [[nodiscard]] FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,

@@ -1,5 +1,6 @@
 #include <grader/tasks/bump/questions/Tilt.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -84,6 +85,12 @@ LevelPair Questionnaire::addPair(const Ball& ball, probe::HeightMapDescription m
     return {flat, add(ball, std::move(map), directions)};
 }
 
+OrderPair Questionnaire::addInBothOrders(const Ball& ball, const probe::HeightMapDescription& map,
+                                         const std::vector<Vector3>& directions) {
+    const std::size_t forwards = add(ball, map, directions);
+    return {forwards, add(ball, map, {directions.rbegin(), directions.rend()})};
+}
+
 const probe::NormalQuestion& Questionnaire::question(std::size_t number) const {
     return std::get<probe::NormalQuestion>(questions_.at(number));
 }
@@ -121,6 +128,17 @@ std::vector<Vector3> Answers::tiltsBeyond(std::size_t flat, std::size_t number) 
     for (std::size_t i = 0; i < result.size(); ++i)
         result[i] -= level.at(i);
     return result;
+}
+
+double Answers::shareThatOrderChanges(const OrderPair& pair) const {
+    constexpr double kRounding = 1e-9;
+    const std::vector<Vector3> one = tilts(pair.forwards);
+    std::vector<Vector3> two = tilts(pair.backwards);
+    std::ranges::reverse(two);
+    double changed = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if ((one[i] - two.at(i)).magnitude() > kRounding) changed += 1.0;
+    return one.empty() ? 0.0 : changed / static_cast<double>(one.size());
 }
 
 }  // namespace ticker::tasks::bump

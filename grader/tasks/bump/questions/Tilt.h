@@ -45,6 +45,12 @@ struct LevelPair {
     std::size_t map = 0;
 };
 
+/// The same points of the same map, in two orders.
+struct OrderPair {
+    std::size_t forwards = 0;
+    std::size_t backwards = 0;
+};
+
 /// Collects the questions of one run; a question's number later finds its answer.
 class Questionnaire {
 public:
@@ -59,6 +65,9 @@ public:
     /// Asks for `map` and for a flat map of its size, at the same points.
     LevelPair addPair(const Ball& ball, probe::HeightMapDescription map,
                       const std::vector<Vector3>& directions);
+
+    OrderPair addInBothOrders(const Ball& ball, const probe::HeightMapDescription& map,
+                              const std::vector<Vector3>& directions);
 
     [[nodiscard]] const std::vector<probe::Question>& questions() const { return questions_; }
     [[nodiscard]] const probe::NormalQuestion& question(std::size_t number) const;
@@ -81,6 +90,8 @@ public:
     /// The tilts less those on a flat map of the same size at the same points: the chords of a
     /// displaced surface lean even on a flat map, by half of their step.
     [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
+    /// Share of the points whose normal depends on the points before it. Right code gives 0.
+    [[nodiscard]] double shareThatOrderChanges(const OrderPair& pair) const;
 
 private:
     const Questionnaire* asked_;

@@ -102,6 +102,7 @@ struct Rule {
 
 // Half a degree; observed changes are larger.
 constexpr double kSomeChange = 0.01;
+constexpr double kSomePoints = 0.01;  // of all that were asked for; right code gives none
 
 bool pointInwards(const Examination& examination, double share) {
     const Offence& inward = examination.conduct.inward;
@@ -132,6 +133,8 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return !e.proportion.isSameAtEveryHeight(); }},
     Rule{WrongReason::pastHorizon,
          [](const Examination& e) { return !e.proportion.staysAboveHorizon(); }},
+    Rule{WrongReason::dependsOnOrder,
+         [](const Examination& e) { return e.changedByOrder > kSomePoints; }},
     Rule{WrongReason::remembers,
          [](const Examination& e) { return e.conduct.memory > kSomeChange; }},
     Rule{WrongReason::wallAtSeam,
@@ -151,6 +154,8 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.caps && !e.caps->good(); }},
     Rule{WrongReason::fewTexelsDiffer,
          [](const Examination& e) { return e.fewTexels && !e.fewTexels->good(); }},
+    Rule{WrongReason::stepsUneven,
+         [](const Examination& e) { return e.evenSteps && !e.evenSteps->good(); }},
     Rule{WrongReason::sharpStepsTurned, [](const Examination& e) { return !e.sharpSteps.good(); }},
     Rule{WrongReason::smallSphereDiffers,
          [](const Examination& e) { return e.slopes && !e.slopes->smallAgrees(); }},

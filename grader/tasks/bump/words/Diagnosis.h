@@ -29,10 +29,11 @@ enum class Fault {
 
 /// Why a submission is wrong, if no named fault applies. The first reason that applies is reported.
 enum class WrongReason {
-    chance,         ///< the same point of the same map gets another normal each time
-    mapIgnored,     ///< another map gives the same normals
-    remembers,      ///< the normal depends on the map of the question just before
-    normalMissing,  ///< a gentle slope lays the normal flat into the surface
+    chance,          ///< the same point of the same map gets another normal each time
+    mapIgnored,      ///< another map gives the same normals
+    remembers,       ///< the normal depends on the map of the question just before
+    dependsOnOrder,  ///< the normal depends on the points before it
+    normalMissing,   ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,
     normalsRounded,  ///< to a few values, which points share
@@ -56,6 +57,7 @@ enum class WrongReason {
     lettersDiffer,
     dependsOnEye,        ///< the same sphere elsewhere has other normals
     turnedAtPoles,       ///< the tilt's direction is wrong near the poles alone
+    stepsUneven,         ///< equal steps of grey tilt by different amounts
     fewTexelsDiffer,     ///< beside the first or last row or column of a small map
     sharpStepsTurned,    ///< white beside black tilts to the other side
     smallSphereDiffers,  ///< on a very small sphere

@@ -73,9 +73,20 @@ Words lastTexelWords(const FewTexels& fewTexels) {
         "Option 1: What to do, step 3"};
 }
 
+Words farColumnWords() {
+    return {fmt::format("On a map of {} columns, at the outer edge of the first or the last one, "
+                        "the normal has the slope of a column far away from there.",
+                        kFewColumns),
+            "Before the first column lies the last one, width() - 1. -1 % width() is no column, "
+            "and with an unsigned width it is another one unless the width is a power of two: add "
+            "the width first, (column + width()) % width().",
+            "Option 1: What to do, step 3"};
+}
+
 }  // namespace
 
 Words fewTexelWords(const FewTexels& fewTexels) {
+    if (!fewTexels.goodSeam()) return farColumnWords();
     if (fewTexels.goodU() && fewTexels.goodV()) return seamWords(fewTexels);
     if (std::min(fewTexels.alongU, fewTexels.alongV) >= FewTexels::kLeast)
         return lastTexelWords(fewTexels);
@@ -91,6 +102,17 @@ Words fewTexelWords(const FewTexels& fewTexels) {
                         "and only there does a neighbour need another rule (column 0 beyond the "
                         "last column, the last row again below the last row).",
                         texel, inRows ? "height" : "width"),
+            "Option 1: What to do, step 3"};
+}
+
+Words unevenWords(const EvenSteps& steps) {
+    return {fmt::format("On an even ramp, where each column is one grey step higher than the one "
+                        "before, the tilt should be the same everywhere; at {} of the columns it "
+                        "is not that of the columns around.",
+                        percent(steps.uneven)),
+            "heightMap().at(column, row) is a double: subtract the two heights as they are. A "
+            "height divided by 5 and times 255 may be 30.999999 in place of 31, and a cast to int "
+            "makes 30 of it.",
             "Option 1: What to do, step 3"};
 }
 

@@ -14,8 +14,10 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words eyeWords(const Elsewhere& elsewhere);
 /// Other tangents near the poles.
 [[nodiscard]] Words capWords(const Caps& caps);
-/// No slope, or an inverted one, beside the first or last texels of a small map.
+/// No slope, an inverted one, or one of a far column, beside the edge of a small map.
 [[nodiscard]] Words fewTexelWords(const FewTexels& fewTexels);
+/// Equal steps of grey that tilt by different amounts.
+[[nodiscard]] Words unevenWords(const EvenSteps& steps);
 /// White beside black tilts to the wrong side.
 [[nodiscard]] Words sharpStepWords(const SharpSteps& steps);
 /// Other slopes on a very small sphere.

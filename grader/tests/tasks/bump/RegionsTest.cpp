@@ -165,6 +165,17 @@ TEST(BumpHints, SayThatAPointGetsItsNormalFromTheOneBefore) {
     EXPECT_TRUE(contains(judgement.reason, "another order")) << judgement.reason;
 }
 
+TEST(JudgeBump, SaysThatTheLastRowKeepsTheSlopeOfTheCallBefore) {
+    double slopeV = 0.0;
+    const TaskJudgement judgement =
+        judge(inProportion(kParametrisation, [&](const Place& at, const Point& point) {
+            if (at.row < point.map.height() - 1) slopeV = at.alongV;
+            return std::pair{1.0, at.alongV == 0.0 ? 1.0 : slopeV / at.alongV};
+        }));
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "another order")) << judgement.reason;
+}
+
 TEST(BumpHints, TellTheHalfOnWhichASignIsWrong) {
     const TaskJudgement judgement = judge({}, Mistake::uHemisphere);
     ASSERT_EQ(firstId(judgement), "bump.wrong");

@@ -94,6 +94,27 @@ TEST(ReadFewTexels, SeesANeighbourThatWrapsOneTexelTooEarly) {
     EXPECT_TRUE(fewTexelsOf(wrapping(0, 0, -1)).good());
 }
 
+/// Right, but at the outer half of the first column it has the slope of a column on the flank.
+selftest::NormalFunction farColumnAtSeam(bool fromEnd) {
+    return withFactors([=](const tests::Place& at, const Point& point) {
+        const int width = point.map.width();
+        const double fromSeam = (fromEnd ? 1.0 - at.u : at.u) * width;
+        const int flank = width / 4;
+        const double steep = point.map.at(flank + 1, at.row) - point.map.at(flank, at.row);
+        const bool isFar = fromSeam < 0.5 && at.alongU != 0.0;
+        return std::pair{isFar ? steep / at.alongU : 1.0, 1.0};
+    });
+}
+
+TEST(ReadFewTexels, SeesTheSlopeOfAFarColumnAtTheSeam) {
+    EXPECT_EQ(fewTexelsOf(wrapping(0, 0)).steepAtSeam, 0.0);
+    for (const bool fromEnd : {false, true}) {
+        const FewTexels far = fewTexelsOf(farColumnAtSeam(fromEnd));
+        EXPECT_EQ(far.steepAtSeam, 1.0) << fromEnd;
+        EXPECT_FALSE(far.good());
+    }
+}
+
 TEST(JudgeBump, SaysThatTheLastColumnIsNoNeighbour) {
     const TaskJudgement judgement = tests::judge(wrapping(1, 0));
     ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
