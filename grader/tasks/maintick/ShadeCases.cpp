@@ -42,11 +42,13 @@ ShadeCase withBall(Draw& draw, Occluder place, double distance, double along, do
     return made;
 }
 
-ShadeCase behindWall(Draw& draw) {
+/// @param isParallel  The wall has the normal of the point's own surface.
+ShadeCase behindWall(Draw& draw, bool isParallel) {
     ShadeCase made = begun(draw, Occluder::wall, 3.0);
     const Vector3 L = towards(made.asked);
+    const Vector3 facing = draw.directionAround(L * -1.0, 0.4);
     made.asked.scene.planes.push_back(
-        {made.asked.P + L * 1.5, draw.directionAround(L * -1.0, 0.4), {}});
+        {made.asked.P + L * 1.5, isParallel ? made.asked.N : facing, {}});
     return made;
 }
 
@@ -215,9 +217,9 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
                         withBall(draw, Occluder::close, 0.5, 0.43, 0.03),
                         withBall(draw, Occluder::between, 3.0, 2.4, 0.4),
                         withBall(draw, Occluder::backwards, distance, -1.5, 0.4),
-                        withBall(draw, Occluder::near, distance, 0.06, 0.03), behindWall(draw),
-                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk), betweenLights(draw),
-                        farOff(draw)})
+                        withBall(draw, Occluder::near, distance, 0.06, 0.03),
+                        behindWall(draw, false), behindWall(draw, true), ofTwo(draw, !isSunk),
+                        ofTwoBalls(draw, !isSunk), betweenLights(draw), farOff(draw)})
             cases.push_back(onSphere(draw, std::move(made), isSunk));
     }
     constexpr int kOwnSurfaces = 24;
