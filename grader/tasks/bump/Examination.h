@@ -43,7 +43,7 @@ struct MainPlan {
     CapPlan caps;
     FewTexelPlan fewTexels;
     EvenStepPlan evenSteps;
-    OrderPair order;
+    OrderPair order;  ///< of a rough map of few rows
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -61,7 +61,7 @@ struct HintPlan {
     RampPlan asideSphere;         ///< far to one side and below
     std::size_t lastColumns = 0;  ///< a map with slopes in its last columns only
     std::size_t lastRows = 0;
-    OrderPair order;
+    OrderPair order;  ///< of a map with slopes in its last columns and rows
 };
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);

@@ -94,7 +94,8 @@ TEST(ReadFewTexels, SeesANeighbourThatWrapsOneTexelTooEarly) {
     EXPECT_TRUE(fewTexelsOf(wrapping(0, 0, -1)).good());
 }
 
-/// Right, but at the outer half of the first column it has the slope of a column on the flank.
+/// Right, but at the outer half of the first or the last column it has the slope of a column on the
+/// flank.
 selftest::NormalFunction farColumnAtSeam(bool fromEnd) {
     return withFactors([=](const tests::Place& at, const Point& point) {
         const int width = point.map.width();
@@ -113,6 +114,12 @@ TEST(ReadFewTexels, SeesTheSlopeOfAFarColumnAtTheSeam) {
         EXPECT_EQ(far.steepAtSeam, 1.0) << fromEnd;
         EXPECT_FALSE(far.good());
     }
+}
+
+TEST(JudgeBump, SaysThatTheSlopeAtTheSeamIsThatOfAFarColumn) {
+    const TaskJudgement judgement = tests::judge(farColumnAtSeam(false));
+    ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("a column far away"), std::string::npos) << judgement.reason;
 }
 
 TEST(JudgeBump, SaysThatTheLastColumnIsNoNeighbour) {
