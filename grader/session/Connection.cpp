@@ -80,17 +80,32 @@ private:
 
 }  // namespace
 
-void Newcomers::add(int socket) {
+void OpenConnections::add(int socket) {
     const std::scoped_lock lock{mutex_};
-    sockets_.push_back(socket);
-    if (sockets_.size() <= most_) return;
-    shutdown(sockets_.front(), SHUT_RDWR);
-    sockets_.pop_front();
+    if (isStopped_) shutdown(socket, SHUT_RD);
+    newcomers_.push_back(socket);
+    if (newcomers_.size() <= mostNewcomers_) return;
+    shutdown(newcomers_.front(), SHUT_RDWR);
+    newcomers_.pop_front();
 }
 
-void Newcomers::remove(int socket) {
+void OpenConnections::admit(int socket) {
     const std::scoped_lock lock{mutex_};
-    sockets_.remove(socket);
+    if (newcomers_.remove(socket) > 0) admitted_.push_back(socket);
+}
+
+void OpenConnections::remove(int socket) {
+    const std::scoped_lock lock{mutex_};
+    newcomers_.remove(socket);
+    admitted_.remove(socket);
+}
+
+void OpenConnections::stopReading() {
+    const std::scoped_lock lock{mutex_};
+    isStopped_ = true;
+    for (const auto* sockets : {&newcomers_, &admitted_})
+        for (const int socket : *sockets)
+            shutdown(socket, SHUT_RD);
 }
 
 bool isRequestComing(int socket) {

@@ -13,22 +13,30 @@ class Stream;
 
 namespace ticker::session {
 
-/// The connections that have not sent the token yet. Each occupies a thread, so only the newest
-/// few are kept open. Threads may share it.
-class Newcomers {
+/// The open connections of a server. Each occupies a thread, so of those that have not sent the
+/// token yet only the newest few are kept open. Threads may share it.
+class OpenConnections {
 public:
-    explicit Newcomers(std::size_t most) : most_(most) {}
+    /// @param mostNewcomers  Largest number of connections that have not sent the token.
+    explicit OpenConnections(std::size_t mostNewcomers) : mostNewcomers_(mostNewcomers) {}
 
-    /// Adds a connection. If there are more than `most`, the oldest one is closed, which ends a
-    /// read that waits for its data.
+    /// Adds a connection. If too many have not sent the token, the oldest of them is closed, which
+    /// ends a read that waits for its data.
     void add(int socket);
-    /// Removes a connection that has sent the token, or is about to be closed.
+    /// Says that a connection has sent the token.
+    void admit(int socket);
+    /// Removes a connection that is about to be closed.
     void remove(int socket);
+    /// Lets no connection read anything that has not arrived yet, also those that are added later.
+    /// Idle ones end at once; a request that has arrived is still answered.
+    void stopReading();
 
 private:
-    std::size_t most_;
+    std::size_t mostNewcomers_;
     std::mutex mutex_;
-    std::list<int> sockets_;  // oldest first
+    std::list<int> newcomers_;  // oldest first
+    std::list<int> admitted_;
+    bool isStopped_ = false;
 };
 
 /// Longest silence of a connection between two requests.

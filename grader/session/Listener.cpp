@@ -19,16 +19,17 @@ void Listener::end() {
     if (socket == INVALID_SOCKET) return;
     shutdown(socket, SHUT_RDWR);
     close(socket);
+    connections_.stopReading();
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {
-    newcomers_.add(socket);
+    connections_.add(socket);
     bool isClosing = false;
     for (std::size_t left = kMostRequests; left > 0 && !isClosing; --left)
         if (svr_sock_ == INVALID_SOCKET || !isRequestComing(socket) ||
             !answerOne(socket, left == 1, isClosing))
             break;
-    newcomers_.remove(socket);
+    connections_.remove(socket);
     shutdown(socket, SHUT_RDWR);
     close(socket);
     return true;
@@ -37,7 +38,7 @@ bool Listener::process_and_close_socket(socket_t socket) {
 bool Listener::answerOne(socket_t socket, bool isLast, bool& isClosing) {
     const auto stream = requestStream(socket, largestRequest_);
     return process_request(*stream, isLast, isClosing, [&](httplib::Request& request) {
-        if (isAllowed_(request)) newcomers_.remove(socket);
+        if (isAllowed_(request)) connections_.admit(socket);
         // Compression would take longer than sending within one machine: a second for a class of
         // 500.
         request.headers.erase("Accept-Encoding");

@@ -29,7 +29,7 @@ public:
     void queueMany() const;
 
     /// Ends `listen_after_bind`, or lets it end at once if it has not begun; then the library's
-    /// `stop` does nothing.
+    /// `stop` does nothing. Requests that have arrived are answered, idle connections are closed.
     void end();
 
 private:
@@ -38,7 +38,7 @@ private:
 
     IsAllowed isAllowed_;
     std::size_t largestRequest_;
-    Newcomers newcomers_{kMostNewcomers};
+    OpenConnections connections_{kMostNewcomers};
 };
 
 }  // namespace ticker::session
