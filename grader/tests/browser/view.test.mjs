@@ -166,6 +166,36 @@ test("any number of rays fits into a view", () =>
     assert.deepEqual(target, [1, 1, 2]);
   }));
 
+test("the first view shows all that belongs to the first hits, and fills the canvas with it", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await clickPixel(page, 0.5, 0.6);
+    const { width, height, places } = await page.evaluate(() => {
+      const { orbit, data } = rays.drawing;
+      return { width: orbit.width, height: orbit.height, places: pointsOf(data).map((point) => orbit.project(point)) };
+    });
+    const sides = [0, 1].map((i) => places.map((place) => place[i]));
+    const [low, high] = [Math.min, Math.max].map((most) => sides.map((side) => most(...side)));
+    assert.ok(low[0] >= 0 && high[0] <= width && low[1] >= 0 && high[1] <= height, `${low} to ${high}`);
+    assert.ok(Math.max((high[0] - low[0]) / width, (high[1] - low[1]) / height) > 0.75, `${low} to ${high}`);
+  }));
+
+test("a sphere's outline is where lines from the eye touch it", () =>
+  withPage(async (page) => {
+    const { touches, inside } = await page.evaluate(() => {
+      const [eye, centre] = [[0, 1, -2], [0.5, 0, 1]];
+      const { centre: middle, radius, axis } = outlineOf(eye, centre, 1.5);
+      const touches = besides(axis).map((aside) => plus(middle, aside, radius)).map((point) =>
+        [Math.hypot(...minus(point, centre)), dot(minus(point, centre), minus(point, eye))]);
+      return { touches, inside: outlineOf(eye, centre, 4) };
+    });
+    for (const [distance, slant] of touches) {
+      assert.ok(Math.abs(distance - 1.5) < 1e-9, `${distance} from the centre`);
+      assert.ok(Math.abs(slant) < 1e-9, `not at right angles: ${slant}`);
+    }
+    assert.equal(inside, null);
+  }));
+
 test("another picture can be laid over this one", () =>
   withPage(async (page) => {
     await finished(page);

@@ -1,4 +1,5 @@
 #include <student_template/framework/app/PixelStory.h>
+#include <student_template/framework/app/SceneWords.h>
 
 #include <raytracer/render/Renderer.h>
 
@@ -49,6 +50,12 @@ TEST(PixelLog, HoldsEveryRayInItsPlace) {
     EXPECT_EQ(first.reflected.front().bouncesLeft, 1);
     const ColourRGB mixed = *first.direct * 0.7 + first.reflected.front().colour * 0.3;
     EXPECT_NEAR(first.colour.g, mixed.g, 1e-12);
+}
+
+TEST(SceneWords, CountTheRaysThatArrive) {
+    EXPECT_EQ(arrivingText(0), "0 arrive");
+    EXPECT_EQ(arrivingText(1), "1 arrives");
+    EXPECT_EQ(arrivingText(2), "2 arrive");
 }
 
 TEST(PixelLog, IsToldInWords) {

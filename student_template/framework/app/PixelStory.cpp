@@ -71,7 +71,7 @@ private:
             by += ", " + std::to_string(count) + " stopped by " + name;
         }
         add("light " + std::to_string(index + 1) + ": " + countedText(cast, "shadow ray") + ", " +
-            std::to_string(cast - stopped) + " arrive" + by);
+            arrivingText(cast - stopped) + by);
         addUnshadowed(traced, light);
     }
 

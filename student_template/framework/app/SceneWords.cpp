@@ -68,4 +68,8 @@ std::string countedText(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string arrivingText(std::size_t rays) {
+    return std::to_string(rays) + (rays == 1 ? " arrives" : " arrive");
+}
+
 }  // namespace raytracer

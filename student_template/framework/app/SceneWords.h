@@ -31,6 +31,9 @@ namespace raytracer {
 /// "1 shadow ray", "2 shadow rays".
 [[nodiscard]] std::string countedText(std::size_t count, const std::string& noun);
 
+/// "1 arrives", "2 arrive".
+[[nodiscard]] std::string arrivingText(std::size_t rays);
+
 }  // namespace raytracer
 
 #endif

@@ -130,9 +130,8 @@ private:
                 arrive -= count;
                 by += ", " + std::to_string(count) + " blocked by " + name;
             }
-            say("Light " + std::to_string(i + 1) +
-                " from the first point: " + countedText(cast, "shadow ray") + ", " +
-                std::to_string(arrive) + " arrive" + by + ".");
+            say("Light " + std::to_string(i + 1) + " from the first point: " +
+                countedText(cast, "shadow ray") + ", " + arrivingText(arrive) + by + ".");
         }
     }
 

@@ -23,23 +23,6 @@ const kMostMoving = 500;
 /// More lines than these are drawn one pixel wide, which takes a seventh of the time of 1.3.
 const kMany = 100;
 
-/// The points that a first view should have in it: what belongs to the first hits. Reflected rays
-/// may end far away.
-function pointsOf(data) {
-  const points = [];
-  const isNear = (ray) => ray.k !== "reflected" && (ray.p < 0 || data.rays[ray.p].k !== "reflected");
-  for (const ray of data.rays) if (!ray.m && isNear(ray)) points.push(ray.a, ray.b);
-  data.lights.forEach(({ centre }, light) => { if (data.rays.some(({ l }) => l === light)) points.push(centre); });
-  for (const { at, given, expected } of data.rays.length ? [] : data.normals || [])
-    points.push(at, plus(at, unit(given || expected), 0.2));
-  for (const { centre, radius } of points.length ? [] : data.spheres)
-    points.push(plus(centre, [radius, radius, radius]), plus(centre, [-radius, -radius, -radius]));
-  return points.length > 1 ? points : [...points, [0, 0, 0], [0, 0, 4]];
-}
-
-/// The direction on the whole, unit length; zero for none.
-const courseOf = (directions) => unit(directions.reduce((all, one) => plus(all, unit(one)), [0, 0, 0]));
-
 class RayDrawing {
   constructor(canvas) {
     this.canvas = canvas;
@@ -63,8 +46,10 @@ class RayDrawing {
 
   /// Looks at all of it, from where the first view does unless it keeps the view.
   frame(keepsView = false) {
-    this.orbit.frame(pointsOf(this.data));
+    const points = pointsOf(this.data);
+    this.orbit.frame(points);
     if (!keepsView) this.orbit.home();
+    this.orbit.fill(points);
   }
 
   resize(width, height, dots) {
@@ -72,7 +57,9 @@ class RayDrawing {
     if (this.canvas.width === across && this.canvas.height === down) return;
     Object.assign(this.canvas, { width: across, height: down });
     this.pen.setTransform(dots, 0, 0, dots, 0, 0);
+    const isFirst = !this.orbit.width;
     this.orbit.resize(width, height);
+    if (isFirst) this.frame();
   }
 
   colour(kind) { return this.isDark ? kind.dark : kind.light; }
@@ -149,42 +136,57 @@ class RayDrawing {
     this.label(name, plus(plus(foot, right, reach), up, -reach), this.ink());
   }
 
-  circle(centre, radius, axis) {
+  circle(centre, radius, axis, sides = 40) {
     const [right, up] = besides(axis);
-    const points = Array.from({ length: 41 }, (_, i) =>
-      plus(plus(centre, right, radius * Math.cos(i * Math.PI / 20)), up, radius * Math.sin(i * Math.PI / 20)));
+    const step = 2 * Math.PI / sides;
+    const points = Array.from({ length: sides + 1 }, (_, i) =>
+      plus(plus(centre, right, radius * Math.cos(i * step)), up, radius * Math.sin(i * step)));
     return points.slice(1).map((point, i) => [points[i], point]);
   }
 
-  disc(centre, radius, fill, alpha) {
+  dot(centre, colour) {
     const at = this.orbit.project(centre);
     if (!at) return;
     this.pen.beginPath();
-    this.pen.arc(at[0], at[1], Math.max(1.5, this.orbit.pixels(centre, radius)), 0, 2 * Math.PI);
-    this.pen.globalAlpha = alpha;
-    this.pen.fillStyle = fill;
+    this.pen.arc(at[0], at[1], 1.5, 0, 2 * Math.PI);
+    this.pen.fillStyle = colour;
     this.pen.fill();
-    this.pen.globalAlpha = 1;
+  }
+
+  /// A ball: its face in one or more colours, [colour, alpha], and its outline.
+  ball(centre, radius, faces, ink) {
+    const outline = outlineOf(this.orbit.eye, centre, radius);
+    if (!outline) return;
+    const lines = this.circle(outline.centre, outline.radius, outline.axis, 90);
+    const corners = lines.map(([from]) => this.orbit.project(from));
+    if (corners.every(Boolean)) {
+      this.pen.beginPath();
+      for (const corner of corners) this.pen.lineTo(...corner);
+      for (const [colour, alpha] of faces) {
+        this.pen.globalAlpha = alpha;
+        this.pen.fillStyle = colour;
+        this.pen.fill();
+      }
+      this.pen.globalAlpha = 1;
+    }
+    this.strokeAll(lines, ink, 1.5);
   }
 
   drawSphere({ centre, radius, colour, name }) {
-    this.disc(centre, radius, this.isDark ? "#2d343d" : "#dfe3e8", 0.75);
-    this.disc(centre, radius, colour, 0.3);
-    this.strokeAll(this.circle(centre, radius, minus(this.orbit.eye, centre)), this.ink(), 1.5);
+    this.ball(centre, radius, [[this.isDark ? "#2d343d" : "#dfe3e8", 0.75], [colour, 0.3]], this.ink());
     this.strokeAll([...this.circle(centre, radius, [0, 1, 0]), ...this.circle(centre, radius, [1, 0, 0]),
       ...this.circle(centre, radius, [0, 0, 1])], this.ink(), 1, [], 0.35);
     this.label(name, plus(centre, this.orbit.up, radius), this.ink());
   }
 
   drawLight({ centre, radius, name }) {
-    this.disc(centre, radius, "#ffd84d", 0.55);
-    this.strokeAll(this.circle(centre, radius, minus(this.orbit.eye, centre)), this.colour(kRayKinds.arrives), 1.5);
-    this.disc(centre, 0, this.colour(kRayKinds.arrives), 1);
+    this.ball(centre, radius, [["#ffd84d", 0.55]], this.colour(kRayKinds.arrives));
+    this.dot(centre, this.colour(kRayKinds.arrives));
     this.label(name, plus(centre, this.orbit.up, radius), this.colour(kRayKinds.arrives));
   }
 
-  square(z, halfWidth, halfHeight = halfWidth) {
-    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => [x * halfWidth, y * halfHeight, z]);
+  square(z, halfWidth, halfHeight) {
+    const corners = squareAt(z, halfWidth, halfHeight);
     return corners.map((corner, i) => [corner, corners[(i + 1) % 4]]);
   }
 
@@ -198,7 +200,7 @@ class RayDrawing {
   drawLens() {
     const colour = this.colour(kRayKinds.expected);
     this.strokeAll(this.square(0, this.data.lens.halfWidth), colour, 2);
-    this.disc([0, 0, 0], 0, colour, 1);
+    this.dot([0, 0, 0], colour);
     this.label(this.data.lens.halfWidth > 0 ? "lens" : "eye", [this.data.lens.halfWidth, this.data.lens.halfWidth, 0], colour);
   }
 
@@ -247,6 +249,6 @@ class RayDrawing {
     if (!ray) return;
     this.strokeAll([[ray.a, ray.b]], this.isDark ? "#ffffff" : "#000000", 6);
     this.strokeAll([[ray.a, ray.b]], this.colour(kRayKinds[ray.k]), 3);
-    this.disc(ray.b, 0, this.isDark ? "#ffffff" : "#000000", 1);
+    this.dot(ray.b, this.isDark ? "#ffffff" : "#000000");
   }
 }

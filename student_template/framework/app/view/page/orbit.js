@@ -1,4 +1,5 @@
-// Points, and a camera that turns about a point. World space: x to the right, y up, z into the scene.
+// Points, what a first view should show of a drawing, and a camera that turns about a point. World space: x to the
+// right, y up, z into the scene.
 const plus = (a, b, times = 1) => [a[0] + b[0] * times, a[1] + b[1] * times, a[2] + b[2] * times];
 const minus = (a, b) => plus(a, b, -1);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -11,6 +12,39 @@ function besides(direction) {
   const axis = unit(direction);
   const first = unit(cross(Math.abs(axis[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0], axis));
   return [first, cross(axis, first)];
+}
+
+/// The corners of a square, or of another rectangle, at right angles to the z axis.
+const squareAt = (z, halfWidth, halfHeight = halfWidth) =>
+  [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => [x * halfWidth, y * halfHeight, z]);
+
+/// The points that a first view should have in it: what belongs to the first hits. Reflected rays
+/// may end far away.
+function pointsOf(data) {
+  const points = [];
+  const isNear = (ray) => ray.k !== "reflected" && (ray.p < 0 || data.rays[ray.p].k !== "reflected");
+  for (const ray of data.rays) if (!ray.m && isNear(ray)) points.push(ray.a, ray.b);
+  const around = (centre, radius) => [-radius, radius].flatMap((r) =>
+    [[r, 0, 0], [0, r, 0], [0, 0, r]].map((offset) => plus(centre, offset)));
+  data.lights.forEach(({ centre, radius }, light) => {
+    if (data.rays.some(({ l }) => l === light)) points.push(...around(centre, radius));
+  });
+  if (data.rays.length && data.lens) points.push(...squareAt(0, data.lens.halfWidth));
+  for (const { at, given, expected } of data.rays.length ? [] : data.normals || [])
+    points.push(at, plus(at, unit(given || expected), 0.2));
+  for (const { centre, radius } of points.length ? [] : data.spheres) points.push(...around(centre, radius));
+  return points.length > 1 ? points : [...points, [0, 0, 0], [0, 0, 4]];
+}
+
+/// The direction on the whole, unit length; zero for none.
+const courseOf = (directions) => unit(directions.reduce((all, one) => plus(all, unit(one)), [0, 0, 0]));
+
+/// The circle in which a sphere's outline lies, as the eye sees it: nearer than the centre, smaller than
+/// the radius. Null from inside of the sphere.
+function outlineOf(eye, centre, radius) {
+  const axis = minus(eye, centre);
+  const share = radius ** 2 / dot(axis, axis);
+  return share < 1 ? { centre: plus(centre, axis, share), radius: radius * Math.sqrt(1 - share), axis } : null;
 }
 
 class Orbit {
@@ -38,7 +72,28 @@ class Orbit {
       }
     this.target = low.map((x, i) => (x + high[i]) / 2);
     this.size = Math.max(0.05, Math.hypot(...minus(high, low)) / 2);
+    this.nearness = 1;
     this.update();
+  }
+
+  /// Moves so that these points fill the canvas, without turning.
+  fill(points) {
+    const kFilled = 0.84; // of the width or the height
+    const kRounds = 5;    // what is near moves more: each round leaves a small part of the last one's error
+    for (let round = 0; this.width && round < kRounds; ++round) {
+      const [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+      for (const point of points) {
+        const at = this.project(point);
+        if (!at) return;
+        for (const i of [0, 1]) { low[i] = Math.min(low[i], at[i]); high[i] = Math.max(high[i], at[i]); }
+      }
+      const perPixel = this.distance / this.scale;
+      this.target = plus(plus(this.target, this.right, ((low[0] + high[0]) - this.width) / 2 * perPixel),
+        this.up, (this.height - (low[1] + high[1])) / 2 * perPixel);
+      const filled = Math.max((high[0] - low[0]) / this.width, (high[1] - low[1]) / this.height);
+      this.nearness = Math.min(3, this.nearness * kFilled / Math.max(0.1, filled));
+      this.update();
+    }
   }
 
   turn(yaw, pitch) {
@@ -59,7 +114,7 @@ class Orbit {
     this.right = [cy, 0, -sy];
     this.ahead = [sy * cp, -sp, cy * cp];
     this.up = [sy * sp, cp, cy * sp];
-    this.distance = 4 * (this.size || 1) / this.zoom;
+    this.distance = 4 * (this.size || 1) / this.zoom / (this.nearness || 1);
     this.scale = 1.45 * Math.min(this.width || 1, (this.height || 1) * 1.3);
     this.eye = plus(this.target, this.ahead, -this.distance);
   }
@@ -91,9 +146,6 @@ class Orbit {
     if (b[2] < near) b = plus(b, minus(a, b), (near - b[2]) / (a[2] - b[2]));
     return [...this.onCanvas(a), ...this.onCanvas(b)];
   }
-
-  /// How many pixels a length has at a point.
-  pixels(point, length) { return this.scale * length / Math.max(this.near(), this.seen(point)[2]); }
 
   /// The direction that a place on the canvas looks into.
   through(x, y) {

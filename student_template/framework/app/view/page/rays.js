@@ -200,7 +200,7 @@ class RayView {
     for (const { light, points } of lightFaces(data, parent)) {
       const arrive = points.filter(({ k }) => k === "arrives").length;
       this.addFace(`${light.name} as ${parent >= 0 ? "this hit" : "the point"} sees it`,
-        { radius: light.radius, points }, `${arrive} of ${points.length} rays arrive`);
+        { radius: light.radius, points }, `${arrive} of ${points.length} rays ${arrive === 1 ? "arrives" : "arrive"}`);
     }
   }
 
