@@ -42,9 +42,9 @@ constexpr std::size_t kLastRank = 4;
 /// remove something come first, and kinds that add more come later.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
-        {"operator", 1}, {"function", 1},  {"member", 1}, {"drop", 0},
-        {"left-out", 0}, {"unwrap", 1},    {"number", 2}, {"exchange", 2},
-        {"sign", 2},     {"normalise", 2}, {"name", 3},   {"jump", 3}};
+        {"operator", 1}, {"function", 1}, {"member", 1},   {"drop", 0},     {"left-out", 0},
+        {"unwrap", 1},   {"number", 2},   {"exchange", 2}, {"sign", 2},     {"normalise", 2},
+        {"name", 3},     {"jump", 3},     {"argument", 0}, {"threshold", 0}};
     const auto found = kRanks.find(atom.kind);
     return found == kRanks.end() ? kLastRank : found->second;
 }
@@ -67,7 +67,8 @@ bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPla
     if (atom.kind == "left-out" && source.substr(atom.edits.front().begin).starts_with("if"))
         return true;
     return atom.kind == "drop" || atom.kind == "draw" || atom.kind == "jump" ||
-           atom.kind == "limit" || (isAtSeveralPlaces && atom.kind == "left-out");
+           atom.kind == "limit" || atom.kind == "argument" ||
+           (isAtSeveralPlaces && atom.kind == "left-out");
 }
 
 /// Bytes of the text that an edit adds something to. If the same words can be added in several

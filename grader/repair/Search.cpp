@@ -14,8 +14,11 @@ namespace {
 
 using probe::Run;
 
-// Sets that are asked in one process.
-constexpr std::size_t kTogether = 200;
+// Sets that are asked in one process. Where the cheap questions show the mistake, a few come first:
+// the simplest ones mend it more often than others, and what passed is judged only after all of
+// them.
+constexpr std::size_t kScreenedFirst = 25;
+constexpr std::size_t kScreenedTogether = 200;
 constexpr std::size_t kJudgedFirst = 4;
 constexpr std::size_t kJudgedTogether = 16;
 
@@ -114,7 +117,6 @@ bool Search::passesOthers(const EditSet& set) const {
 
 template <class Use>
 bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
-    // A few at first: the simplest ones pass more often than others.
     std::size_t together = kJudgedFirst;
     for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
         const auto some = sets.subspan(at, std::min(together, sets.size() - at));
@@ -137,9 +139,12 @@ void Search::eachPassing(std::span<const EditSet> sets,
         return !isClean || !passesOthers(set) || use(set);
     };
     std::vector<EditSet> later;
-    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver(); at += kTogether) {
-        std::vector<EditSet> kept =
-            screened(sets.subspan(at, std::min(kTogether, sets.size() - at)));
+    std::size_t together = isSeen_ ? kScreenedFirst : kScreenedTogether;
+    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
+        const auto some = sets.subspan(at, std::min(together, sets.size() - at));
+        at += some.size();
+        together = std::min(2 * together, kScreenedTogether);
+        std::vector<EditSet> kept = screened(some);
         // Where the cheap questions do not see the mistake, most edits pass them.
         if (!isSeen_ && screening_.mayPass && kept.size() > kJudgedTogether) {
             const auto end = kept.begin() + static_cast<std::ptrdiff_t>(kJudgedTogether);

@@ -1,4 +1,5 @@
 #include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Scope.h>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,26 @@ void negateNeighbour(Edits& edits, const std::vector<int>& arguments) {
         for (const int other : arguments)
             if (one != other && edits.isType(one, "double") && edits.isType(other, "double"))
                 edits.replace("bound", one, "-" + edits.operand(other), false);
+}
+
+/// Replaces a number by what another call of the same function is given in its place.
+void giveAsInOtherCall(Edits& edits, int index, const Node& call) {
+    const Tree& tree = edits.tree();
+    const int function = outermostFunction(tree, index);
+    for (int other = 0; other < static_cast<int>(tree.nodes.size()); ++other) {
+        const Node& twin = tree.at(other);
+        if (other == index || twin.kind != NodeKind::call || twin.name != call.name ||
+            twin.children.size() != call.children.size() ||
+            outermostFunction(tree, other) != function)
+            continue;
+        for (std::size_t i = 1; i < call.children.size(); ++i) {
+            const int given = twin.children[i];
+            if (tree.at(call.children[i]).kind == NodeKind::number &&
+                tree.at(given).type == tree.at(call.children[i]).type &&
+                isUsableAt(tree, given, index))
+                edits.replace("argument", call.children[i], edits.text(given), true);
+        }
+    }
 }
 
 /// Replaces atan(a / b), which cannot tell the quadrant, by atan2(a, b).
@@ -95,6 +116,7 @@ void addCallEdits(Edits& edits, int index) {
     exchangeArguments(edits, index, arguments);
     negateNeighbour(edits, arguments);
     nameQuadrant(edits, index, node);
+    giveAsInOtherCall(edits, index, node);
     for (const int argument : arguments)
         if (tree.at(argument).type == node.type) edits.replaceBy("unwrap", index, argument);
     if (callee.kind == NodeKind::member) editMethod(edits, index, node, callee);

@@ -1,5 +1,7 @@
 #include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Scope.h>
 
+#include <charconv>
 #include <set>
 
 namespace ticker::candidates {
@@ -88,6 +90,31 @@ void negate(Edits& edits, int index) {
         edits.replace("sign", index, "!" + edits.operand(index), false);
 }
 
+/// The number that a node is, or that a variable was declared with; 0 for any other node.
+double numberOf(const Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const int number =
+        tree.at(index).kind == NodeKind::name ? initialiserOf(tree, tree.at(index)) : index;
+    if (number < 0 || tree.at(number).kind != NodeKind::number) return 0.0;
+    const std::string text = edits.text(number);
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// Brings a threshold near to 0 or 1 much nearer: what guards against a division by zero should
+/// leave nothing else out.
+void tightenThreshold(Edits& edits, const Node& comparison) {
+    constexpr double kNear = 0.2;
+    for (const int side : comparison.children) {
+        if (!edits.isType(side, "double")) continue;
+        const double value = numberOf(edits, side);
+        if (value > 0.0 && value <= kNear) edits.replace("threshold", side, "1e-9", true);
+        if (value >= 1.0 - kNear && value < 1.0)
+            edits.replace("threshold", side, "0.9999999", true);
+    }
+}
+
 }  // namespace
 
 void addConditionEdits(Edits& edits, int index) {
@@ -99,6 +126,7 @@ void addConditionEdits(Edits& edits, int index) {
         returnWhole(edits, index);
     }
     if (!node.isExpression) return;
+    if (isComparison(node)) tightenThreshold(edits, node);
     leaveLoop(edits, index);
     negate(edits, index);
     const bool isFlag = edits.isType(index, "bool") && node.parent >= 0 &&

@@ -77,6 +77,21 @@ void dropOneSide(Edits& edits, int index, const Node& node) {
     if (node.name == "-") edits.replace("drop", index, "-" + edits.operand(right), false);
 }
 
+/// `a % n` for `a & (n - 1)`, which is a modulo for powers of two alone.
+void divideByAnyNumber(Edits& edits, int index, const Node& node, const Range& sign) {
+    const Tree& tree = edits.tree();
+    int mask = node.children[1];
+    while (tree.at(mask).kind == NodeKind::parentheses && !tree.at(mask).children.empty())
+        mask = tree.at(mask).children.front();
+    const Node& difference = tree.at(mask);
+    if (node.name != "&" || difference.kind != NodeKind::binary || difference.name != "-" ||
+        edits.text(difference.children[1]) != "1")
+        return;
+    edits.add(
+        "operator", index,
+        {{sign, "%"}, {tree.at(node.children[1]).range, edits.operand(difference.children[0])}});
+}
+
 void editBinary(Edits& edits, int index, const Node& node) {
     const Tree& tree = edits.tree();
     const int left = node.children[0];
@@ -90,6 +105,7 @@ void editBinary(Edits& edits, int index, const Node& node) {
         !askForTwoValues(edits, node))
         edits.add("operator", index, asOneOfBoth(edits, node, sign));
     if (isSum(node)) turnSigns(edits, index);
+    divideByAnyNumber(edits, index, node, sign);
     dropOneSide(edits, index, node);
     if (isOneOf(node.name, {"-", "/"}))
         edits.add("exchange", index,
