@@ -20,8 +20,9 @@ enum class ExitCode : int {
     return static_cast<int>(code);
 }
 
-/// Base of every error that the kit throws. `main` turns it into a message and an exit code; work that goes through
-/// many files or submissions catches it for each of them, so that one failure does not end the others.
+/// Base of every error that the kit throws. `main` turns it into a message and an exit code; work
+/// that goes through many files or submissions catches it for each of them, so that one failure
+/// does not end the others.
 class Error : public std::runtime_error {
 public:
     /// @param message   One line that says what went wrong, where, and what to do next.
