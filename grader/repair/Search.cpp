@@ -14,9 +14,8 @@ namespace {
 
 using probe::Run;
 
-// Sets that are asked in one process. Where the cheap questions show the mistake, a few come first:
-// the simplest ones mend it more often than others, and what passed is judged only after all of
-// them.
+// Sets that are asked in one process. Where the cheap questions show the mistake, a few come first,
+// since what passed is judged only after all of them.
 constexpr std::size_t kScreenedFirst = 25;
 constexpr std::size_t kScreenedTogether = 200;
 constexpr std::size_t kJudgedFirst = 4;
@@ -117,6 +116,7 @@ bool Search::passesOthers(const EditSet& set) const {
 
 template <class Use>
 bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
+    // A few at first: the simplest ones pass more often than others.
     std::size_t together = kJudgedFirst;
     for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
         const auto some = sets.subspan(at, std::min(together, sets.size() - at));

@@ -180,6 +180,20 @@ test("the first view shows all that belongs to the first hits, and fills the can
     assert.ok(Math.max((high[0] - low[0]) / width, (high[1] - low[1]) / height) > 0.75, `${low} to ${high}`);
   }));
 
+test("rays that take the place of others keep the zoom", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await clickPixel(page, 0.5, 0.6);
+    const [whole, near] = await page.evaluate(() => {
+      const { drawing } = rays;
+      const distance = (keepsView) => { drawing.frame(keepsView); return drawing.orbit.distance; };
+      const whole = distance(false);
+      drawing.orbit.zoomBy(2);
+      return [whole, distance(true)];
+    });
+    assert.ok(Math.abs(near - whole / 2) < 1e-6 * whole, `${near} of ${whole}`);
+  }));
+
 test("a sphere's outline is where lines from the eye touch it", () =>
   withPage(async (page) => {
     const { touches, inside } = await page.evaluate(() => {

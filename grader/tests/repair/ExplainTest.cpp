@@ -96,6 +96,21 @@ TEST(Explain, FindsTheLineOfAWrongSignAndProvesTheEdit) {
     EXPECT_NE(best.edits.front().from, best.edits.front().to);
 }
 
+// Asked two hundred at a time, the edits of such code took longer than the search may.
+TEST(Explain, ProvesAnEarlyEditBeforeItAsksAllOthers) {
+    const std::string text = corpus::applyEdits(
+        reference("Renderer.cpp"),
+        {{"ColourRGB sum;",
+          "ColourRGB sum = trace(scene, pinholeRay, settings().bounces);\n"
+          "sum = ColourRGB{};"},
+         {"sum += trace(scene, ray, settings().bounces);", "sum += trace(scene, ray, 1);"}},
+        "test");
+    const auto [result, explanation] = explained(handedIn("Renderer.cpp", text));
+    ASSERT_FALSE(explanation.repairs.empty());
+    EXPECT_TRUE(explanation.repairs.front().proven);
+    EXPECT_LT(explanation.tried, 200U) << explanation.tried;
+}
+
 TEST(Explain, EveryEditThatItShowsMakesTheTaskPass) {
     const corpus::Entry entry = mistake("T1", "row-beyond-the-last");
     const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");

@@ -20,8 +20,8 @@ struct EvenStepPlan {
 
 /// Share of the columns whose tilt along u is not that of the columns around, at the place within a
 /// column where it is least. The slope is the same everywhere but at black and at white, whatever
-/// the reading. Heights that are cut to whole grey
-/// levels lose one now and then: the step before is then 0, and the one after twice as high.
+/// the reading. Heights that are cut to whole grey levels lose one now and then: the step before is
+/// then 0, and the one after twice as high.
 struct EvenSteps {
     double uneven = 0.0;
 

@@ -76,8 +76,17 @@ class Orbit {
     this.update();
   }
 
-  /// Moves so that these points fill the canvas, without turning.
+  /// Moves so that these points would fill the canvas without zoom. Turns nothing, and keeps the zoom.
   fill(points) {
+    const { zoom } = this;
+    this.zoom = 1;
+    this.update();
+    this.fillUnzoomed(points);
+    this.zoom = zoom;
+    this.update();
+  }
+
+  fillUnzoomed(points) {
     const kFilled = 0.84; // of the width or the height
     const kRounds = 5;    // what is near moves more: each round leaves a small part of the last one's error
     for (let round = 0; this.width && round < kRounds; ++round) {
