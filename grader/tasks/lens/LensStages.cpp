@@ -1,12 +1,14 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/LensStages.h>
+#include <grader/tasks/lens/answers/LensThreads.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace ticker::tasks {
@@ -77,19 +79,30 @@ PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf, st
     return {};
 }
 
+// Threads that share a sum or a lens point give wrong pixels only where one of them traces while
+// the other is in the middle of a pixel. On a busy machine a thread may wait for a processor until
+// the other one has drawn all pixels; the question is then put again.
 Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                    std::uint64_t stage) {
+    constexpr std::size_t kEnough = 8;  // one interrupted pixel may be right by chance
+    constexpr int kMostAsks = 8;
     const probe::RenderQuestion asked = drawThreadsQuestion(seedOf(seed, stage));
-    const probe::Run run = examinee.ask({asked});
-    const auto* answer = answeredBy<probe::RenderAnswer>(run);
-    if (answer == nullptr || answer->wrongSize) return unanswered(run, "render");
-    LensLog log = readLensLog(asked, *answer);
-    log.mayAntialias = mayAntialias;
-    std::optional<Finding> withThreads = judgeWithThreads(log);
-    if (!withThreads) return {};
-    if (std::optional<Finding> alone = failureAlone(examinee, asked, mayAntialias))
-        return {.failure = std::move(alone), .doubt = {}, .decided = true};
-    return {std::move(withThreads), std::nullopt};
+    std::size_t interrupted = 0;
+    for (int asks = 1;; ++asks) {
+        const probe::Run run = examinee.ask({asked});
+        const auto* answer = answeredBy<probe::RenderAnswer>(run);
+        if (answer == nullptr || answer->wrongSize) return unanswered(run, "render");
+        LensLog log = readLensLog(asked, *answer);
+        log.mayAntialias = mayAntialias;
+        if (std::optional<Finding> withThreads = judgeWithThreads(log)) {
+            if (std::optional<Finding> alone = failureAlone(examinee, asked, mayAntialias))
+                return {.failure = std::move(alone), .doubt = {}, .decided = true};
+            return {std::move(withThreads), std::nullopt};
+        }
+        const ThreadsMet met = threadsMet(answer->events);
+        interrupted += met.interrupted;
+        if (!met.several || interrupted >= kEnough || asks == kMostAsks) return {};
+    }
 }
 
 // Only the second picture is judged. The first one shows a part of a frame, and code that draws the

@@ -27,7 +27,9 @@ struct PictureStage {
 [[nodiscard]] PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf,
                                         std::uint64_t seed, std::uint64_t stage);
 
-/// Judges `render` with two threads, for code that is right with one. A data race may show or not.
+/// Judges `render` with two threads, for code that is right with one. A data race may show or not:
+/// the question is put again, up to seven times, until the threads have interrupted each other
+/// often enough.
 /// @param mayAntialias  See `LensLog`.
 [[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                                  std::uint64_t stage);

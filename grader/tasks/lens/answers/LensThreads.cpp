@@ -161,4 +161,23 @@ ReadRays readThreads(const probe::RenderQuestion& asked, const std::vector<Event
     return rays;
 }
 
+ThreadsMet threadsMet(const std::vector<Event>& events) {
+    ThreadsMet met;
+    std::map<std::uint16_t, bool> hasOpenPixel;  // of the threads that traced rays
+    const Event* before = nullptr;
+    for (const Event& event : events) {
+        if (before != nullptr && before->thread != event.thread)
+            if (const auto last = hasOpenPixel.find(before->thread);
+                last != hasOpenPixel.end() && last->second)
+                ++met.interrupted;
+        if (event.kind == Event::Kind::traceBegan)
+            hasOpenPixel[event.thread] = true;
+        else if (event.kind == Event::Kind::pixelSet && hasOpenPixel.contains(event.thread))
+            hasOpenPixel[event.thread] = false;
+        before = &event;
+    }
+    met.several = hasOpenPixel.size() > 1;
+    return met;
+}
+
 }  // namespace ticker::tasks

@@ -4,6 +4,7 @@
 #include <grader/probe/Question.h>
 #include <grader/tasks/lens/answers/LensLog.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace ticker::tasks {
@@ -26,6 +27,15 @@ struct ReadRays {
 /// The lens rays of all threads of all repetitions, from the log of a render.
 [[nodiscard]] ReadRays readThreads(const probe::RenderQuestion& asked,
                                    const std::vector<probe::Event>& events);
+
+/// How the threads of a render met.
+struct ThreadsMet {
+    bool several = false;         ///< more than one thread traced rays
+    std::size_t interrupted = 0;  ///< times that another thread did something while one had traced
+                                  ///< rays of a pixel and not set it
+};
+/// @param events  Of one repetition.
+[[nodiscard]] ThreadsMet threadsMet(const std::vector<probe::Event>& events);
 
 }  // namespace ticker::tasks
 

@@ -16,12 +16,13 @@ const ExpectedPicture& Expectations::under(const oracle::Reading& reading, Exact
 }
 
 // Templates have a seed of their own, so that their noise is independent of the expected picture's.
-const std::vector<Plane>& Expectations::underMistakes(const oracle::Reading& accepted,
-                                                      Exactness exactness) {
+const Plane& Expectations::underMistake(const oracle::Reading& accepted, std::size_t index,
+                                        Exactness exactness) {
     const std::lock_guard lock{mutex_};
-    const auto [known, isNew] = mistaken_.try_emplace(keyOf(accepted, exactness));
+    const auto [known, isNew] = mistaken_.try_emplace({keyOf(accepted, exactness), index});
     if (isNew)
-        known->second = mistakenPictures(pictureMistakes(accepted), asked_, seed_ + 1, exactness);
+        known->second =
+            templateOf(pictureMistakes(accepted).at(index), asked_, seed_ + 1, exactness);
     return known->second;
 }
 

@@ -6,12 +6,13 @@
 #include <grader/tasks/lens/answers/Pictures.h>
 #include <grader/tasks/support/Shelf.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <tuple>
-#include <vector>
+#include <utility>
 
 namespace ticker::tasks {
 
@@ -28,9 +29,9 @@ public:
     ///                 defaults.
     [[nodiscard]] const ExpectedPicture& under(const oracle::Reading& reading,
                                                Exactness exactness = Exactness::judging);
-    /// The means under each of `pictureMistakes(accepted)`, in their order.
-    [[nodiscard]] const std::vector<Plane>& underMistakes(const oracle::Reading& accepted,
-                                                          Exactness exactness);
+    /// The template of the mistake with this index among `pictureMistakes(accepted)`.
+    [[nodiscard]] const Plane& underMistake(const oracle::Reading& accepted, std::size_t index,
+                                            Exactness exactness);
 
 private:
     using Key = std::tuple<double, double, Exactness>;  // aperture, spread
@@ -42,7 +43,7 @@ private:
     const std::uint64_t seed_;
     std::mutex mutex_;
     std::map<Key, ExpectedPicture> pictures_;
-    std::map<Key, std::vector<Plane>> mistaken_;
+    std::map<std::pair<Key, std::size_t>, Plane> mistaken_;
 };
 
 /// By seed, and by what tells the questions of a seed apart: width and repetitions.

@@ -58,21 +58,16 @@ private:
 
     // The trial of an unlikely reading is only needed if no other one fits.
     bool fits(const Candidate& candidate) {
-        Tried& tried = tried_.emplace_back(Tried{candidate, std::nullopt});
-        if (isUnlikely(tried.candidate.misfit)) return false;
-        Trial trial = tryReading(expectations_, seen_, tried.candidate);
-        if (trial.fits()) fitting_ = trial;
-        tried.trial = std::move(trial);
+        tried_.push_back(candidate);
+        if (!isUnlikely(candidate.misfit)) fitting_ = tryToFit(expectations_, seen_, candidate);
         return fitting_.has_value();
     }
 
     void tryUnlikely() {
-        for (Tried& tried : tried_) {
-            if (tried.trial) continue;
-            tried.trial = tryReading(expectations_, seen_, tried.candidate);
-            if (!tried.trial->fits()) continue;
-            fitting_ = tried.trial;
-            return;
+        for (const Candidate& candidate : tried_) {
+            if (!isUnlikely(candidate.misfit)) continue;
+            fitting_ = tryToFit(expectations_, seen_, candidate);
+            if (fitting_) return;
         }
     }
 
@@ -85,11 +80,10 @@ private:
             for (const double aperture : {kWhole, kHalf})
                 for (const double spread : {0.0, 1.0}) {
                     const double wider = aperture * std::sqrt((side + 1.0) / (side - 1.0));
-                    if (isUnlikely(rough(wider, spread))) continue;
+                    if (isRuledOut(expectations_, seen_, readingOf(wider, spread))) continue;
                     const Candidate grid = candidate(wider, spread);
                     if (isUnlikely(grid.misfit) || !hasFixedPoints(grid)) continue;
-                    Trial trial = tryReading(expectations_, seen_, grid);
-                    if (trial.fits()) fitting_ = std::move(trial);
+                    fitting_ = tryToFit(expectations_, seen_, grid);
                     if (fitting_) return;
                 }
     }
@@ -101,16 +95,17 @@ private:
     }
 
     void chooseLeastBad() {
-        for (const Tried& tried : tried_) {
+        for (const Candidate& candidate : tried_) {
+            Trial trial = tryReading(expectations_, seen_, candidate);
             // An antialiased reading with a smaller total does not replace the least bad one so far
             // if that one's misfit may be noise of shared lens points, or if its own mistake has no
             // name.
-            const PictureVerdict& verdict = tried.trial->verdict;
+            const PictureVerdict& verdict = trial.verdict;
             const bool isUnnamed = verdict.finding && is(*verdict.finding, kDofWrong);
             const bool isOpen = verdict.reading.pixelSpread > 0.0 && leastBad_ &&
                                 (leastBad_->verdict.ambiguous || isUnnamed);
-            if (!leastBad_ || (!isOpen && tried.trial->total < leastBad_->total))
-                leastBad_ = tried.trial;
+            if (!leastBad_ || (!isOpen && trial.total < leastBad_->total))
+                leastBad_ = std::move(trial);
         }
     }
 
@@ -172,10 +167,11 @@ private:
         if (!seen_.identical) return false;
         for (const double aperture : {kWhole, kHalf})
             for (const double spread : {1.0, kMiddle}) {
+                if (isRuledOut(expectations_, seen_, readingOf(aperture, spread))) continue;
                 const Candidate one = candidate(aperture, spread);
                 if (one.misfit >= misfit_) continue;
-                const Trial trial = tryReading(expectations_, seen_, one);
-                if (trial.fits() && trial.verdict.timesTheLimit <= 1.0) return true;
+                const std::optional<Trial> trial = tryToFit(expectations_, seen_, one);
+                if (trial && trial->verdict.timesTheLimit <= 1.0) return true;
             }
         return false;
     }
@@ -215,14 +211,9 @@ private:
         if (least.misfit < nearest_) fits(least);
     }
 
-    struct Tried {
-        Candidate candidate;
-        std::optional<Trial> trial;
-    };
-
     Expectations& expectations_;
     const SeenPictures& seen_;
-    std::vector<Tried> tried_;  // in the order of preference
+    std::vector<Candidate> tried_;  // in the order of preference
     std::optional<Trial> fitting_;
     std::optional<Trial> leastBad_;
     double misfit_ = 0.0;                                       // least, without antialiasing

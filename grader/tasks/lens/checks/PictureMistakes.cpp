@@ -20,13 +20,6 @@ Reading withAperture(Reading reading, double times) {
     return reading;
 }
 
-// The expected mean under this mistake.
-Plane pictureOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed,
-                Exactness exactness) {
-    if (mistake.withoutBounces) asked.settings.bounces = 0;
-    return mistakenPicture(asked, mistake.reading, mistake.mistake, seed, exactness);
-}
-
 struct Tried {
     const PictureMistake* mistake = nullptr;
     Match match;
@@ -48,16 +41,6 @@ const Tried* bestOf(const std::vector<Tried>& tried) {
             best = &one;
     }
     return best;
-}
-
-// |z| of the part of a difference that exceeds a twentieth of the mistake. Some patterns of lens
-// points have a bias of that order: the canonical multi-jittered one (Kensler, "Correlated
-// Multi-Jittered Sampling", 2013) looks off centre by a thirtieth of the lens.
-double beyondNegligible(const Match& match) {
-    constexpr double kNegligible = 0.05;
-    const double amplitude = std::abs(match.amplitude);
-    if (amplitude <= kNegligible) return 0.0;
-    return std::abs(match.z) * (1.0 - kNegligible / amplitude);
 }
 
 }  // namespace
@@ -99,22 +82,29 @@ std::vector<PictureMistake> pictureMistakes(const Reading& accepted) {
     return mistakes;
 }
 
-std::vector<Plane> mistakenPictures(const std::vector<PictureMistake>& mistakes,
-                                    const probe::RenderQuestion& asked, std::uint64_t seed,
-                                    Exactness exactness) {
-    std::vector<Plane> pictures;
-    for (const PictureMistake& mistake : mistakes)
-        pictures.push_back(pictureOf(mistake, asked, seed, exactness));
-    return pictures;
+Plane templateOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed,
+                 Exactness exactness) {
+    if (mistake.withoutBounces) asked.settings.bounces = 0;
+    return mistakenPicture(asked, mistake.reading, mistake.mistake, seed, exactness);
 }
 
-Bank tryAll(const std::vector<PictureMistake>& mistakes, const std::vector<Plane>& templates,
+// A twentieth of the mistake is negligible. Some patterns of lens points have a bias of that order:
+// the canonical multi-jittered one (Kensler, "Correlated Multi-Jittered Sampling", 2013) looks off
+// centre by a thirtieth of the lens.
+double beyondNegligible(const Match& match) {
+    constexpr double kNegligible = 0.05;
+    const double amplitude = std::abs(match.amplitude);
+    if (amplitude <= kNegligible) return 0.0;
+    return std::abs(match.z) * (1.0 - kNegligible / amplitude);
+}
+
+Bank tryAll(const std::vector<PictureMistake>& mistakes, const Templates& templates,
             const SeenPictures& seen, const ExpectedPicture& expected) {
     Bank bank;
     std::vector<Tried> tried;
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
         const PictureMistake& mistake = mistakes[i];
-        const Plane& mistaken = templates.at(i);
+        const Plane& mistaken = templates(i);
         const Match match = matchOf(seen, expected, mistaken);
         bank.largest = std::max(bank.largest, std::abs(match.z));
         bank.beyond = std::max(bank.beyond, beyondNegligible(match));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,25 @@ bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& 
     return excess.ratio < 3.0 && bank.spread > kMostSpread * std::max(1.0, excess.ratio);
 }
 
+// With a misfit this large, rough templates suffice to name the mistake.
+Exactness exactnessFor(double misfit) {
+    constexpr double kClear = 25.0;
+    return misfit > kClear ? Exactness::rough : Exactness::judging;
+}
+
+// Whether the mean differs from the expected one. Tiles come first, since they need no template.
+bool isElsewhere(Expectations& expectations, const SeenPictures& seen,
+                 const oracle::Reading& reading, const ExpectedPicture& expected,
+                 Exactness ofTemplates) {
+    if (largestTileZ(seen, expected) > kMostZ) return true;
+    const std::size_t mistakes = pictureMistakes(reading).size();
+    for (std::size_t i = 0; i < mistakes; ++i) {
+        const Plane& mistaken = expectations.underMistake(reading, i, ofTemplates);
+        if (beyondNegligible(matchOf(seen, expected, mistaken)) > kMostZ) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Candidate candidateOf(Expectations& expectations, const SeenPictures& seen,
@@ -86,16 +106,22 @@ double roughMisfit(Expectations& expectations, const SeenPictures& seen,
     return meanSquaredZ(seen, expectations.under(reading, Exactness::rough));
 }
 
+bool isRuledOut(Expectations& expectations, const SeenPictures& seen,
+                const oracle::Reading& reading) {
+    const ExpectedPicture& expected = expectations.under(reading, Exactness::rough);
+    return isUnlikely(meanSquaredZ(seen, expected)) ||
+           isElsewhere(expectations, seen, reading, expected, Exactness::rough);
+}
+
 Trial tryReading(Expectations& expectations, const SeenPictures& seen, const Candidate& candidate) {
     const oracle::Reading& reading = candidate.reading;
     const ExpectedPicture& expected = *candidate.expected;
     const double misfit = candidate.misfit;
     const std::vector<PictureMistake> mistakes = pictureMistakes(reading);
-    // With a misfit this large, rough templates suffice to name the mistake.
-    constexpr double kClear = 25.0;
-    const Exactness exactness = misfit > kClear ? Exactness::rough : Exactness::judging;
-    const Bank bank =
-        tryAll(mistakes, expectations.underMistakes(reading, exactness), seen, expected);
+    const Templates templates = [&](std::size_t index) -> const Plane& {
+        return expectations.underMistake(reading, index, exactnessFor(misfit));
+    };
+    const Bank bank = tryAll(mistakes, templates, seen, expected);
     const double tile = largestTileZ(seen, expected);
     const Excess excess = excessVariance(seen, expected);
     const bool scaled = isScaled(seen, expected, bank);
@@ -124,6 +150,16 @@ Trial tryReading(Expectations& expectations, const SeenPictures& seen, const Can
     }
     if (verdict.finding) verdict.finding->rasters.push_back(zMap(seen, expected));
     return trial;
+}
+
+std::optional<Trial> tryToFit(Expectations& expectations, const SeenPictures& seen,
+                              const Candidate& candidate) {
+    const ExpectedPicture& expected = *candidate.expected;
+    if (excessVariance(seen, expected).z > kMostExcess ||
+        isElsewhere(expectations, seen, candidate.reading, expected,
+                    exactnessFor(candidate.misfit)))
+        return std::nullopt;
+    return tryReading(expectations, seen, candidate);
 }
 
 }  // namespace ticker::tasks

@@ -6,6 +6,8 @@
 #include <grader/tasks/lens/checks/Expectations.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 
+#include <optional>
+
 namespace ticker::tasks {
 
 /// A reading with the picture that it gives.
@@ -28,15 +30,21 @@ struct Candidate {
 [[nodiscard]] double roughMisfit(Expectations& expectations, const SeenPictures& seen,
                                  const oracle::Reading& reading);
 
+/// Whether a rough picture suffices to see that the reading does not fit. Its error is part of
+/// every z-score, so that right code is ruled out as rarely as by an exact one.
+[[nodiscard]] bool isRuledOut(Expectations& expectations, const SeenPictures& seen,
+                              const oracle::Reading& reading);
+
 struct Trial {
     PictureVerdict verdict;
     double total = 0.0;  ///< sum of z^2 over all tests: how badly the reading fits
-
-    [[nodiscard]] bool fits() const { return !verdict.finding && !verdict.ambiguous; }
 };
 /// Compares pictures with those of one reading.
 [[nodiscard]] Trial tryReading(Expectations& expectations, const SeenPictures& seen,
                                const Candidate& candidate);
+/// The same, but empty if the reading does not fit. Then it needs fewer templates, often none.
+[[nodiscard]] std::optional<Trial> tryToFit(Expectations& expectations, const SeenPictures& seen,
+                                            const Candidate& candidate);
 
 }  // namespace ticker::tasks
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -28,21 +30,23 @@ TEST(Expectations, AreTheOraclesPictures) {
         for (const Exactness exactness : {Exactness::judging, Exactness::rough})
             EXPECT_EQ(expectations.under(reading, exactness).mean,
                       expectedPicture(smallQuestion(), reading, kSeed, exactness).mean);
-    EXPECT_EQ(
-        expectations.underMistakes(half, Exactness::rough),
-        mistakenPictures(pictureMistakes(half), smallQuestion(), kSeed + 1, Exactness::rough));
+    const std::vector<PictureMistake> mistakes = pictureMistakes(half);
+    for (std::size_t i = 0; i < mistakes.size(); ++i)
+        EXPECT_EQ(expectations.underMistake(half, i, Exactness::rough),
+                  templateOf(mistakes[i], smallQuestion(), kSeed + 1, Exactness::rough));
 }
 
 TEST(Expectations, AreComputedOnce) {
     Expectations expectations{smallQuestion(), kSeed};
     const ExpectedPicture* first = &expectations.under({}, Exactness::rough);
-    const auto* mistaken = &expectations.underMistakes({}, Exactness::rough);
+    const Plane* mistaken = &expectations.underMistake({}, 0, Exactness::rough);
     oracle::Reading antialiased;
     antialiased.pixelSpread = 1.0;
     EXPECT_NE(&expectations.under(antialiased, Exactness::rough), first);
     EXPECT_NE(&expectations.under({}, Exactness::judging), first);
     EXPECT_EQ(&expectations.under({}, Exactness::rough), first);
-    EXPECT_EQ(&expectations.underMistakes({}, Exactness::rough), mistaken);
+    EXPECT_NE(&expectations.underMistake({}, 1, Exactness::rough), mistaken);
+    EXPECT_EQ(&expectations.underMistake({}, 0, Exactness::rough), mistaken);
 }
 
 TEST(ExpectationShelf, KeepsTheQuestionsOfASeedApart) {

@@ -1,11 +1,15 @@
 // T2.2 judged from whole runs: the reference, and mistakes that only a later question shows.
 #include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/answers/LensThreads.h>
+#include <grader/tasks/lens/questions/LensQuestions.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/support/AlteredExaminee.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -124,6 +128,90 @@ TEST(JudgeLens, SaysThatTheRaysOfSomePixelsWereSeen) {
     ASSERT_EQ(idsOf(judgement), "dof.unseen-rays ");
     EXPECT_NE(judgement.findings[0].message.find("the rays of some pixels"), std::string::npos)
         << judgement.findings[0].message;
+}
+
+/// A picture of one thread as if two had drawn it, one after the other.
+void drawnInTurn(probe::RenderAnswer& answer) {
+    const std::size_t half = answer.images.at(0).size() / 2;
+    std::size_t pixels = 0;
+    for (probe::Event& event : answer.events) {
+        event.thread = pixels < half ? 0 : 1;
+        if (event.kind == probe::Event::Kind::pixelSet) ++pixels;
+    }
+}
+
+/// As if two threads had drawn the picture, each of them every other pixel. The first one sets its
+/// pixel after the second one has set the next.
+void drawnTogether(probe::RenderAnswer& answer) {
+    int pixels = 0;
+    auto lastSet = answer.events.begin();
+    for (auto event = answer.events.begin(); event != answer.events.end(); ++event) {
+        event->thread = static_cast<std::uint16_t>(pixels % 2);
+        if (event->kind != probe::Event::Kind::pixelSet) continue;
+        if (++pixels % 2 == 0) std::rotate(lastSet, lastSet + 1, event + 1);
+        lastSet = event;
+    }
+}
+
+probe::RenderAnswer threadsPicture() {
+    tests::LocalExaminee reference;
+    AlteredExaminee alone{reference, [](auto& settings) { settings.threads = 1; }};
+    return std::get<probe::RenderAnswer>(alone.ask({drawThreadsQuestion(2)}).answers.at(0));
+}
+
+TEST(ThreadsMet, CountsHowOftenAThreadWasInterruptedInThePixelThatItDraws) {
+    probe::RenderAnswer answer = threadsPicture();
+    EXPECT_FALSE(threadsMet(answer.events).several);
+    drawnInTurn(answer);
+    EXPECT_TRUE(threadsMet(answer.events).several);
+    EXPECT_EQ(threadsMet(answer.events).interrupted, 0U);
+    answer = threadsPicture();
+    drawnTogether(answer);
+    EXPECT_EQ(threadsMet(answer.events).interrupted, answer.images.at(0).size() / 2);
+}
+
+/// The reference. With two threads its pictures are too bright, but only if its threads interrupt
+/// each other, which they do from a certain question on.
+class RacesLate final : public probe::Examinee {
+public:
+    explicit RacesLate(int inTurn) : inTurn_(inTurn) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        AlteredExaminee alone{reference_, [](auto& settings) { settings.threads = 1; }};
+        probe::Run run = alone.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i)
+            if (std::get<probe::RenderQuestion>(questions[i]).settings.threads > 1)
+                drawWithTwo(std::get<probe::RenderAnswer>(run.answers[i]));
+        return run;
+    }
+    [[nodiscard]] int asked() const { return asked_; }
+
+private:
+    void drawWithTwo(probe::RenderAnswer& answer) {
+        if (asked_++ < inTurn_) return drawnInTurn(answer);
+        drawnTogether(answer);
+        for (probe::ColourRGB& colour : answer.images.at(0))
+            colour = colour * 1.1;
+    }
+
+    tests::LocalExaminee reference_;
+    int inTurn_;
+    int asked_ = 0;
+};
+
+// On a busy machine a thread may draw its half of the picture while the other one waits.
+TEST(JudgeLens, AsksAgainUntilThreadsInterruptEachOther) {
+    RacesLate busy{3};
+    EXPECT_EQ(idsOf(judgeLens(busy, 2)), "dof.threads-mixed ");
+}
+
+// Code that lets only one thread at a time draw a pixel is right.
+TEST(JudgeLens, PassesThreadsThatNeverInterruptEachOther) {
+    RacesLate never{1000};
+    const TaskJudgement judgement = judgeLens(never, 2);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_TRUE(judgement.findings.empty());
+    EXPECT_EQ(never.asked(), 8);
 }
 
 TEST(JudgeLens, AccusesThreadsAndSettingsThatAreAtFault) {

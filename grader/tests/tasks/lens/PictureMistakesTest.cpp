@@ -27,8 +27,11 @@ const ExpectedPicture& expected() {
     return picture;
 }
 
-std::vector<Plane> templatesOf(const std::vector<PictureMistake>& mistakes) {
-    return mistakenPictures(mistakes, asked(), kSeed);
+Templates templatesOf(const std::vector<PictureMistake>& mistakes) {
+    std::vector<Plane> planes;
+    for (const PictureMistake& mistake : mistakes)
+        planes.push_back(templateOf(mistake, asked(), kSeed));
+    return [kept = std::move(planes)](std::size_t index) -> const Plane& { return kept.at(index); };
 }
 
 /// The mistakes of this finding, in their order.
