@@ -1,6 +1,14 @@
 #include <grader/repair/candidates/Cursor.h>
 
 namespace ticker::candidates {
+
+std::string textOf(CXString text) {
+    const char* chars = clang_getCString(text);
+    std::string copy = chars == nullptr ? "" : chars;
+    clang_disposeString(text);
+    return copy;
+}
+
 namespace {
 
 std::string& removePrefix(std::string& text, std::string_view prefix) {
@@ -14,15 +22,19 @@ unsigned offsetOf(CXSourceLocation location) {
     return offset;
 }
 
-/// Whether the student's own file has it, be it as the name of a macro: M_PI, RAND_MAX.
+CXFile mainFileOf(CXTranslationUnit unit) {
+    return clang_getFile(unit, textOf(clang_getTranslationUnitSpelling(unit)).c_str());
+}
+
+/// Whether the student's own file has it, be it as the name of a macro: M_PI, RAND_MAX. No line and
+/// column are asked for: libclang counts characters for each, and lines with many switches are
+/// long.
 bool standsHere(CXCursor cursor, CXSourceLocation location) {
+    if (clang_Location_isFromMainFile(location) != 0) return true;
     CXFile file = nullptr;
-    unsigned line = 0;
-    unsigned column = 0;
-    clang_getExpansionLocation(location, &file, &line, &column, nullptr);
-    const CXTranslationUnit unit = clang_Cursor_getTranslationUnit(cursor);
+    clang_getExpansionLocation(location, &file, nullptr, nullptr, nullptr);
     return file != nullptr &&
-           clang_Location_isFromMainFile(clang_getLocation(unit, file, line, column)) != 0;
+           clang_File_isEqual(file, mainFileOf(clang_Cursor_getTranslationUnit(cursor))) != 0;
 }
 
 /// What a field holds or a function without arguments returns; empty for any other cursor.
@@ -36,13 +48,6 @@ std::string givenType(CXCursor declaration) {
 }
 
 }  // namespace
-
-std::string textOf(CXString text) {
-    const char* chars = clang_getCString(text);
-    std::string copy = chars == nullptr ? "" : chars;
-    clang_disposeString(text);
-    return copy;
-}
 
 std::optional<Range> rangeOf(CXCursor cursor) {
     const CXSourceRange extent = clang_getCursorExtent(cursor);

@@ -76,8 +76,12 @@ export async function shown(page, other) {
 export const showing = (page, name) => page.waitForFunction((wanted) =>
   document.querySelector("main[data-name]:not(.loading)")?.dataset.name === wanted, name);
 
-export const saved = (page) =>
-  page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
+/// Waits until the page reports that all is saved. A dialog's answer is taken in its close event, which the
+/// browser has queued, not yet sent, when a key press returns: a timer that is queued after it runs after it.
+export async function saved(page) {
+  await page.evaluate(() => new Promise((done) => { setTimeout(done); }));
+  await page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
+}
 
 /// Decides with a key, and types a reason where the page asks for one.
 export async function decide(page, key, why = "as shown at the desk") {

@@ -168,6 +168,7 @@ test("undo takes the last decision back, and says which", async () => {
   assert.deepEqual(await decision(cleo), ["awarded", "Dee", "shown at the desk, with another map"]);
   await click("[data-act=undo]");
   await page.waitForFunction(() => !document.querySelector(".standing").textContent.includes("decided:"));
+  await saved(page);
   assert.match(await standing(), /^proposed: not awardedtaken back: awarded by Dee, /);
   assert.deepEqual(await decision(cleo), ["", "", ""]);
   await press("n");
