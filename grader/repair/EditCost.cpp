@@ -67,7 +67,7 @@ bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPla
     if (atom.kind == "left-out" && source.substr(atom.edits.front().begin).starts_with("if"))
         return true;
     return atom.kind == "drop" || atom.kind == "draw" || atom.kind == "jump" ||
-           atom.kind == "limit" || atom.kind == "argument" ||
+           atom.kind == "limit" || atom.kind == "argument" || atom.kind == "root" ||
            (isAtSeveralPlaces && atom.kind == "left-out");
 }
 

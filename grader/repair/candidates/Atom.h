@@ -112,6 +112,7 @@ void addConditionEdits(Edits& edits, int node);
 void addDrawEdits(Edits& edits, int node);
 void addGroupingEdits(Edits& edits, int node);
 void addResets(Edits& edits, int node);
+void addSecondRoots(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);
 void addFormulas(Edits& edits, int node);

@@ -28,16 +28,6 @@ bool isRandom(const HandoutFormula& formula) {
     return formula.text.find("random") != std::string::npos;
 }
 
-/// Whether a node is all that a variable is given: its initialiser, or what is assigned to it.
-bool isGiven(const Tree& tree, int index) {
-    const Node& node = tree.at(index);
-    if (!node.isExpression || node.parent < 0) return false;
-    const Node& around = tree.at(node.parent);
-    return (around.kind == NodeKind::declaration ||
-            (around.kind == NodeKind::binary && around.name == "=")) &&
-           around.children.back() == index;
-}
-
 /// Whether a node is a declaration with arguments of a constructor: `Vector3 v{a, b, c}`.
 bool isConstructed(const Tree& tree, int index) {
     const Node& node = tree.at(index);

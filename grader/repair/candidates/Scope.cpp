@@ -54,6 +54,15 @@ int initialiserOf(const Tree& tree, const Node& name) {
     return -1;
 }
 
+bool isGiven(const Tree& tree, int index) {
+    const Node& node = tree.at(index);
+    if (!node.isExpression || node.parent < 0) return false;
+    const Node& around = tree.at(node.parent);
+    return (around.kind == NodeKind::declaration ||
+            (around.kind == NodeKind::binary && around.name == "=")) &&
+           around.children.back() == index;
+}
+
 bool draws(const Tree& tree, int expression) {
     return anyIn(tree, expression, [](const Node& node) {
         const bool isNamed = node.kind == NodeKind::call && node.name.starts_with("rand");

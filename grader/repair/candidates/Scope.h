@@ -17,6 +17,9 @@ namespace ticker::candidates {
 /// The value that a variable was given where it was declared; -1: none.
 [[nodiscard]] int initialiserOf(const Tree& tree, const Node& name);
 
+/// Whether a node is all that a variable is given: its initialiser, or what is assigned to it.
+[[nodiscard]] bool isGiven(const Tree& tree, int index);
+
 /// Whether an expression asks for a random number: every use of it gets another one.
 [[nodiscard]] bool draws(const Tree& tree, int expression);
 

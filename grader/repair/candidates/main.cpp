@@ -92,7 +92,7 @@ using AddEdits = void (*)(Edits&, int);
 constexpr AddEdits kSimple[] = {
     addOperatorEdits,  addNumberEdits, addNameEdits,     addMemberEdits, addCallEdits,
     addWrapEdits,      addTermEdits,   addSiblingEdits,  addStaticEdits, addStatementEdits,
-    addConditionEdits, addDrawEdits,   addGroupingEdits, addResets};
+    addConditionEdits, addDrawEdits,   addGroupingEdits, addResets,      addSecondRoots};
 constexpr AddEdits kWide[] = {addFormulas, addGuards, addNeighbours, addWideEdits};
 
 /// What is looked for, apart from the file.

@@ -339,6 +339,45 @@ INSTANTIATE_TEST_SUITE_P(
               "const double Bu = at(row, columnRight) -"},
              {"at(row, columnRight)", "at(columnRight, row)"}}),
     nameOfSlip);
+constexpr const char* kRoots =
+    "const double near = (-b - root) / (2.0 * a);\n"
+    "    const double far = (-b + root) / (2.0 * a);\n"
+    "    const double distance = near > 0.0 ? near : far;";
+constexpr const char* kNearer = "near > 0.0 ? near : far";
+constexpr const char* kSphere = "Sphere.cpp";
+INSTANTIATE_TEST_SUITE_P(
+    Roots, EditsOfSlips,
+    testing::Values(Slip{"second-root-not-used",
+                         kTick,
+                         kSphere,
+                         Reach::simple,
+                         {kNearer, "near"},
+                         {"distance = near;", "distance = near > 0.0 ? near : far;"}},
+                    Slip{"smaller-root",
+                         kTick,
+                         kSphere,
+                         Reach::simple,
+                         {kNearer, "std::min(near, far)"},
+                         {"std::min(near, far)", kNearer}},
+                    Slip{"second-root-missing",
+                         kTick,
+                         kSphere,
+                         Reach::simple,
+                         {kRoots, "double distance = (-b - std::sqrt(discriminant)) / (2.0 * a);"},
+                         {"(-b - std::sqrt(discriminant)) / (2.0 * a);",
+                          "(-b - std::sqrt(discriminant)) / (2.0 * a) > 0.0 ? "
+                          "(-b - std::sqrt(discriminant)) / (2.0 * a) : "
+                          "(-b + std::sqrt(discriminant)) / (2.0 * a);"}},
+                    Slip{"first-of-sorted-roots",
+                         kTick,
+                         kSphere,
+                         Reach::simple,
+                         {kRoots,
+                          "double roots[] = {(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)};\n"
+                          "    const double distance = roots[0];"},
+                         {"distance = roots[0];",
+                          "distance = roots[0] > 0.0 ? roots[0] : roots[1];"}}),
+    nameOfSlip);
 
 }  // namespace
 }  // namespace ticker::repair
