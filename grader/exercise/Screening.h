@@ -12,7 +12,8 @@ namespace ticker {
 /// submission that may pass is judged in full.
 struct Screening {
     std::vector<probe::Question> questions;
-    /// False: with these answers the submission is sure to fail.
+    /// False: with these answers hardly any submission passes. One that rounds heights, say, is
+    /// right in other answers alone.
     std::function<bool(const probe::Run&)> mayPass;
 };
 

@@ -52,6 +52,8 @@ struct Task {
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
     /// The cheap questions for hundreds of edits of one submission; may be null.
     Screening (*screen)(std::uint64_t seed) = nullptr;
+    /// Others that see what `screen` may not, for a submission that passes that one; may be null.
+    std::vector<Screening> (*screenElsewhere)(std::uint64_t seed) = nullptr;
     /// A judge of many submissions under the same seeds, which keeps what it computes from a seed
     /// alone; null if there is nothing to keep.
     Judge (*judgeOfMany)() = nullptr;
@@ -59,6 +61,11 @@ struct Task {
     /// else; may be null.
     void (*draw)(probe::Examinee& examinee, TaskJudgement& judgement) = nullptr;
 };
+
+/// The task's judge of many submissions under the same seeds: `judge` itself where nothing is kept.
+[[nodiscard]] inline Judge judgeOfMany(const Task& task) {
+    return task.judgeOfMany != nullptr ? task.judgeOfMany() : Judge{task.judge};
+}
 
 }  // namespace ticker
 

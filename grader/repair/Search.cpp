@@ -53,32 +53,43 @@ bool isFinished(const Run& run) {
 
 }  // namespace
 
-Search::Search(const Task& task, const TaskJudgement& before, std::vector<const Task*> others,
-               SwitchedProgram& program, std::uint64_t seed, const Clock& clock)
+Search::Search(const Task& task, const TaskJudgement& before,
+               const std::vector<const Task*>& others, SwitchedProgram& program, std::uint64_t seed,
+               const Clock& clock)
     : task_(task),
       before_(before),
-      others_(std::move(others)),
+      judge_(judgeOfMany(task)),
       program_(program),
       seed_(seed),
       clock_(clock),
       first_(firstQuestions(task, seed)),
       asHandedIn_(EditedExaminee{program, {}}.ask(first_)) {
+    for (const Task* other : others)
+        others_.push_back(judgeOfMany(*other));
     program.answersUnedited(isFinished(asHandedIn_));
     if (task.screen != nullptr) drawScreening();
 }
 
+bool Search::takeScreening(Screening drawn) {
+    Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
+    isSeen_ = !drawn.mayPass(run);
+    if (!screening_.mayPass || isSeen_) {
+        screening_ = std::move(drawn);
+        screenedAsHandedIn_ = std::move(run);
+    }
+    return isSeen_;
+}
+
 void Search::drawScreening() {
-    // Few answers may show the mistake, so that cheap questions of other seeds are tried. If none
-    // of them shows it, the first ones are as good as the others.
+    // Few answers may show the mistake, so that cheap questions of other seeds, and then of other
+    // kinds, are tried. If none of them shows it, the first ones are as good as the others.
     constexpr std::uint64_t kMostDraws = 4;
-    for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isStepOver(); ++i) {
-        Screening drawn = task_.screen(seed_ + i);
-        Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
-        isSeen_ = !drawn.mayPass(run);
-        if (i == 0 || isSeen_) {
-            screening_ = std::move(drawn);
-            screenedAsHandedIn_ = std::move(run);
-        }
+    for (std::uint64_t i = 0; i < kMostDraws && !clock_.isStepOver(); ++i)
+        if (takeScreening(task_.screen(seed_ + i))) return;
+    if (task_.screenElsewhere == nullptr) return;
+    for (Screening& other : task_.screenElsewhere(seed_)) {
+        if (clock_.isStepOver()) return;
+        if (takeScreening(std::move(other))) return;
     }
 }
 
@@ -104,26 +115,28 @@ std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
 TaskJudgement Search::judge(const EditSet& set, Run first) const {
     EditedExaminee examinee{program_, set};
     examinee.expect(std::move(first));
-    return task_.judge(examinee, seed_);
+    return judge_(examinee, seed_);
 }
 
 bool Search::passesOthers(const EditSet& set) const {
-    return std::ranges::all_of(others_, [&](const Task* other) {
+    return std::ranges::all_of(others_, [&](const Judge& other) {
         EditedExaminee examinee{program_, set};
-        return passes(other->judge(examinee, seed_));
+        return passes(other(examinee, seed_));
     });
 }
 
 template <class Use>
 bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
+    // What passes cheap questions that the submission fails is worth the time of a later step.
+    const auto hasTime = [&] { return isSeen_ ? !clock_.isAllUsedUp() : !clock_.isStepOver(); };
     // A few at first: the simplest ones pass more often than others.
     std::size_t together = kJudgedFirst;
-    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
+    for (std::size_t at = 0; at < sets.size() && hasTime();) {
         const auto some = sets.subspan(at, std::min(together, sets.size() - at));
         at += some.size();
         together = std::min(2 * together, kJudgedTogether);
         std::vector<Run> runs = program_.ask(first_, some);
-        for (std::size_t i = 0; i < runs.size() && !clock_.isStepOver(); ++i) {
+        for (std::size_t i = 0; i < runs.size() && hasTime(); ++i) {
             if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
             if (!use(some[i], judge(some[i], std::move(runs[i])))) return false;
         }

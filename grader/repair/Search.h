@@ -30,7 +30,7 @@ public:
     /// All of them must outlive this object.
     /// @param others  Tasks that the submission passes: it has to pass them with an edit, too.
     /// @param before  What the submission got without edits: an edit must not add a warning.
-    Search(const Task& task, const TaskJudgement& before, std::vector<const Task*> others,
+    Search(const Task& task, const TaskJudgement& before, const std::vector<const Task*>& others,
            SwitchedProgram& program, std::uint64_t seed, const Clock& clock);
 
     /// Calls `use` for those of the sets with which the judge passes the submission, roughly in
@@ -54,6 +54,9 @@ public:
 private:
     /// Chooses the cheap questions, if possible some that the submission fails without edits.
     void drawScreening();
+    /// Takes cheap questions if they are the first, or if the submission fails them without edits.
+    /// @return  Whether it does.
+    bool takeScreening(Screening drawn);
     [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
     [[nodiscard]] bool passesOthers(const EditSet& set) const;
@@ -65,7 +68,8 @@ private:
 
     const Task& task_;
     const TaskJudgement& before_;
-    std::vector<const Task*> others_;
+    Judge judge_;
+    std::vector<Judge> others_;
     const SwitchedProgram& program_;
     std::uint64_t seed_;
     const Clock& clock_;

@@ -39,17 +39,46 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
     doubtPicture(tasks, renders.misfits, aperture);
 }
 
-constexpr std::array kTick1star{
-    Task{"T1", kBumpFindings, judgeBump, hasRelief, doubtT1, screenBump, nullptr, drawBumps},
-    Task{"T2.1", kShadowFindings, judgeShadows, isAnyScene, nullptr, screenShadows,
-         judgeShadowsOfMany},
-    Task{"T2.2", kLensFindings, judgeLens, isAnyScene, doubtT22, screenLens, judgeLensOfMany}};
+constexpr std::array kTick1star{Task{.id = "T1",
+                                     .findings = kBumpFindings,
+                                     .judge = judgeBump,
+                                     .isSeenIn = hasRelief,
+                                     .doubt = doubtT1,
+                                     .screen = screenBump,
+                                     .screenElsewhere = screenBumpElsewhere,
+                                     .draw = drawBumps},
+                                Task{.id = "T2.1",
+                                     .findings = kShadowFindings,
+                                     .judge = judgeShadows,
+                                     .isSeenIn = isAnyScene,
+                                     .screen = screenShadows,
+                                     .judgeOfMany = judgeShadowsOfMany},
+                                Task{.id = "T2.2",
+                                     .findings = kLensFindings,
+                                     .judge = judgeLens,
+                                     .isSeenIn = isAnyScene,
+                                     .doubt = doubtT22,
+                                     .screen = screenLens,
+                                     .judgeOfMany = judgeLensOfMany}};
 
-constexpr std::array kTick1{Task{"M1", kSphereFindings, judgeSpheres, isAnyScene},
-                            Task{"M2", kPhongFindings, judgePhong, isAnyScene},
-                            Task{"M3.1", kPlaneFindings, judgePlanes, isAnyScene},
-                            Task{"M3.2", kShadeFindings, judgeHardShadows, isAnyScene},
-                            Task{"M4", kMirrorFindings, judgeReflections, isAnyScene}};
+constexpr std::array kTick1{
+    Task{.id = "M1", .findings = kSphereFindings, .judge = judgeSpheres, .isSeenIn = isAnyScene},
+    Task{.id = "M2",
+         .findings = kPhongFindings,
+         .judge = judgePhong,
+         .isSeenIn = isAnyScene,
+         .judgeOfMany = judgePhongOfMany},
+    Task{.id = "M3.1", .findings = kPlaneFindings, .judge = judgePlanes, .isSeenIn = isAnyScene},
+    Task{.id = "M3.2",
+         .findings = kShadeFindings,
+         .judge = judgeHardShadows,
+         .isSeenIn = isAnyScene,
+         .judgeOfMany = judgeHardShadowsOfMany},
+    Task{.id = "M4",
+         .findings = kMirrorFindings,
+         .judge = judgeReflections,
+         .isSeenIn = isAnyScene,
+         .judgeOfMany = judgeReflectionsOfMany}};
 
 struct Rows {
     std::string_view exercise;

@@ -4,10 +4,12 @@
 #include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/RunEnd.h>
+#include <grader/tasks/support/Shelf.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -158,11 +160,16 @@ std::optional<Finding> check(const Seen& seen) {
                                 far->bias));
 }
 
-}  // namespace
+/// What a seed asks.
+struct ShadePlan {
+    explicit ShadePlan(std::uint64_t seed)
+        : cases(maintick::drawShadeCases(seed)), mixed(maintick::drawMixedShades(seed)) {}
+    std::vector<ShadeCase> cases;
+    std::vector<maintick::MixedShade> mixed;
+};
 
-TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
-    const std::vector<ShadeCase> cases = maintick::drawShadeCases(seed);
-    const std::vector<maintick::MixedShade> mixed = maintick::drawMixedShades(seed);
+TaskJudgement judgeBy(const ShadePlan& plan, probe::Examinee& examinee, std::uint64_t seed) {
+    const auto& [cases, mixed] = plan;
     std::vector<probe::Question> questions;
     for (const ShadeCase& shade : cases) {
         questions.emplace_back(askedOf(shade));
@@ -186,6 +193,19 @@ TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
             maintick::checkThreads(examinee, seed, maintick::Shows::shadows, kShadeThreadsMixed);
     if (wrong) findings.push_back(*std::move(wrong));
     return judgementOf(std::move(findings), kShadeFindings);
+}
+
+}  // namespace
+
+TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
+    return judgeBy(ShadePlan{seed}, examinee, seed);
+}
+
+Judge judgeHardShadowsOfMany() {
+    return [plans = std::make_shared<Shelf<std::uint64_t, const ShadePlan>>()](
+               probe::Examinee& examinee, std::uint64_t seed) {
+        return judgeBy(*plans->of(seed, seed), examinee, seed);
+    };
 }
 
 }  // namespace ticker::tasks

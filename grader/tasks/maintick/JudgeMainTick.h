@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_MAINTICK_JUDGEMAINTICK_H
 #define TICKER_TASKS_MAINTICK_JUDGEMAINTICK_H
 
+#include <grader/exercise/Judge.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -19,6 +20,13 @@ namespace ticker::tasks {
 [[nodiscard]] TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed);
 /// M4: `Renderer::trace`, compared with what the same code's `illuminate` gives for each surface.
 [[nodiscard]] TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed);
+
+// The same for many submissions: the questions of a seed, which take longer to draw than to judge,
+// are drawn once.
+
+[[nodiscard]] Judge judgePhongOfMany();
+[[nodiscard]] Judge judgeHardShadowsOfMany();
+[[nodiscard]] Judge judgeReflectionsOfMany();
 
 }  // namespace ticker::tasks
 

@@ -5,10 +5,12 @@
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/RunEnd.h>
+#include <grader/tasks/support/Shelf.h>
 
 #include <fmt/core.h>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -84,11 +86,16 @@ std::optional<Finding> checkBoth(const std::vector<maintick::LitQuestion>& asked
     return wrong && wrong->id == kPhongUnlit.id ? check(asked, onSurface) : wrong;
 }
 
-}  // namespace
+/// What a seed asks.
+struct PhongPlan {
+    explicit PhongPlan(std::uint64_t seed)
+        : asked(maintick::drawLitQuestions(seed)), mixed(maintick::drawMixedPoints(seed)) {}
+    std::vector<maintick::LitQuestion> asked;
+    std::vector<maintick::MixedPoint> mixed;
+};
 
-TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
-    const std::vector<maintick::LitQuestion> asked = maintick::drawLitQuestions(seed);
-    const std::vector<maintick::MixedPoint> mixed = maintick::drawMixedPoints(seed);
+TaskJudgement judgeBy(const PhongPlan& plan, probe::Examinee& examinee, std::uint64_t seed) {
+    const auto& [asked, mixed] = plan;
     std::vector<probe::Question> questions;
     for (const maintick::LitQuestion& one : asked)
         questions.emplace_back(maintick::questionOf(one.setup));
@@ -110,6 +117,19 @@ TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
         wrong = maintick::checkThreads(examinee, seed, maintick::Shows::floor, kPhongThreadsMixed);
     if (wrong) findings.push_back(*std::move(wrong));
     return judgementOf(std::move(findings), kPhongFindings);
+}
+
+}  // namespace
+
+TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
+    return judgeBy(PhongPlan{seed}, examinee, seed);
+}
+
+Judge judgePhongOfMany() {
+    return [plans = std::make_shared<Shelf<std::uint64_t, const PhongPlan>>()](
+               probe::Examinee& examinee, std::uint64_t seed) {
+        return judgeBy(*plans->of(seed, seed), examinee, seed);
+    };
 }
 
 }  // namespace ticker::tasks

@@ -4,9 +4,11 @@
 #include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/RunEnd.h>
+#include <grader/tasks/support/Shelf.h>
 
 #include <fmt/core.h>
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -185,14 +187,26 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
                                          maintick::kDeepest));
 }
 
+/// What a seed asks.
+struct MirrorPlan {
+    explicit MirrorPlan(std::uint64_t seed)
+        : open(maintick::drawOpenScene(seed)),
+          facing(maintick::drawFacingMirrors(seed)),
+          deep(maintick::drawDeepMirrors(seed)),
+          grazed(maintick::drawGrazedMirror(seed)),
+          mixed(maintick::drawMixedMirrors(seed)) {}
+    MirrorQuestion open;
+    MirrorQuestion facing;
+    MirrorQuestion deep;
+    MirrorQuestion grazed;
+    std::vector<maintick::MixedMirror> mixed;
+};
+
 /// What the first questions left open: mirrors that face each other, and mixed scenes.
-std::optional<TaskJudgement> askMore(probe::Examinee& examinee, std::uint64_t seed,
+std::optional<TaskJudgement> askMore(const MirrorPlan& plan, probe::Examinee& examinee,
                                      std::vector<Finding>& findings) {
     constexpr std::size_t kBeforeMixed = 6;
-    const MirrorQuestion facing = maintick::drawFacingMirrors(seed);
-    const MirrorQuestion deep = maintick::drawDeepMirrors(seed);
-    const std::vector<maintick::MixedMirror> mixed = maintick::drawMixedMirrors(seed);
-    const MirrorQuestion grazed = maintick::drawGrazedMirror(seed);
+    const auto& [open, facing, deep, grazed, mixed] = plan;
     std::vector<probe::Question> questions{facing.direct, facing.question, deep.direct,
                                            deep.question, grazed.direct,   grazed.question};
     maintick::askMixedMirrors(mixed, questions);
@@ -212,10 +226,8 @@ std::optional<TaskJudgement> askMore(probe::Examinee& examinee, std::uint64_t se
     return std::nullopt;
 }
 
-}  // namespace
-
-TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
-    const MirrorQuestion open = maintick::drawOpenScene(seed);
+TaskJudgement judgeBy(const MirrorPlan& plan, probe::Examinee& examinee, std::uint64_t seed) {
+    const MirrorQuestion& open = plan.open;
     const probe::Run first = examinee.ask({open.direct, open.question});
     if (auto blocked = judgeUnanswered(first, "Renderer::trace")) return *std::move(blocked);
     const auto& direct = std::get<probe::IlluminateAnswer>(first.answers.at(0)).colours;
@@ -223,12 +235,25 @@ TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
     std::vector<Finding> findings;
     if (auto wrong = checkColours(open, direct, answer)) findings.push_back(*std::move(wrong));
     if (findings.empty() || is(findings.front(), kMirrorEndless))
-        if (auto blocked = askMore(examinee, seed, findings)) return *std::move(blocked);
+        if (auto blocked = askMore(plan, examinee, findings)) return *std::move(blocked);
     if (findings.empty())
         if (auto mixed = maintick::checkThreads(examinee, seed, maintick::Shows::mirrors,
                                                 kMirrorThreadsMixed))
             findings.push_back(*std::move(mixed));
     return judgementOf(std::move(findings), kMirrorFindings);
+}
+
+}  // namespace
+
+TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
+    return judgeBy(MirrorPlan{seed}, examinee, seed);
+}
+
+Judge judgeReflectionsOfMany() {
+    return [plans = std::make_shared<Shelf<std::uint64_t, const MirrorPlan>>()](
+               probe::Examinee& examinee, std::uint64_t seed) {
+        return judgeBy(*plans->of(seed, seed), examinee, seed);
+    };
 }
 
 }  // namespace ticker::tasks

@@ -59,7 +59,7 @@ private:
 
     struct JudgeOfTask {
         explicit JudgeOfTask(const Task& task)
-            : judge(task.judgeOfMany != nullptr ? task.judgeOfMany() : Judge{task.judge}),
+            : judge(judgeOfMany(task)),
               isOfMany(task.judgeOfMany != nullptr) {}
         Judge judge;
         bool isOfMany;
