@@ -116,6 +116,11 @@ Parametrisation::Parametrisation(const Vector3& axis, double uOffset, bool mirro
     right_ = meridian_.cross(axis_);
 }
 
+bool Parametrisation::isUpright() const {
+    constexpr double kNearlyAll = 0.998;
+    return std::abs(axis_.y) > kNearlyAll;
+}
+
 double Parametrisation::longitude(const Vector3& direction) const {
     return std::atan2(direction.dot(right_), direction.dot(meridian_));
 }

@@ -21,6 +21,8 @@ public:
     Parametrisation(const Vector3& axis, double uOffset, bool mirrored);
 
     [[nodiscard]] const Vector3& axis() const { return axis_; }
+    /// True if the axis is that of the handout, either way up, within 3.6 degrees.
+    [[nodiscard]] bool isUpright() const;
     [[nodiscard]] bool mirrored() const { return mirrored_; }
     [[nodiscard]] double uOffset() const { return uOffset_; }
 

@@ -56,8 +56,7 @@ EvenStepPlan planEvenSteps(Questionnaire& questionnaire, Draws& draws, const Bal
 
 EvenSteps readEvenSteps(const EvenStepPlan& plan, const Answers& answers,
                         const Parametrisation& parametrisation) {
-    constexpr double kUpright = 0.998;
-    if (std::abs(parametrisation.axis().y) < kUpright) return {};
+    if (!parametrisation.isUpright()) return {};
     const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.ramp.flat, plan.ramp.map);
     double least = 1.0;
     for (std::size_t place = 0; place < kPlaces; ++place) {

@@ -128,11 +128,12 @@ public:
     /// @param u  Of the map, 0 to 1.
     void add(double u, double along) {
         constexpr double kHalf = 0.5 / kFewColumns;
-        constexpr double kQuarter = 1.0 / kFewColumns;  // about the steepest points, 1/4 and 3/4
+        constexpr double kColumn = 1.0 / kFewColumns;
         if (!std::isfinite(along)) return;
         if (u < kHalf) first_.push_back(std::abs(along));
         if (u > 1.0 - kHalf) last_.push_back(std::abs(along));
-        if (std::abs(std::abs(u - 0.5) - 0.25) < kQuarter) steepest_.push_back(std::abs(along));
+        // The wave is steepest at 1/4 and 3/4.
+        if (std::abs(std::abs(u - 0.5) - 0.25) < kColumn) steepest_.push_back(std::abs(along));
     }
     [[nodiscard]] double most() const {
         const double steep = median(steepest_);

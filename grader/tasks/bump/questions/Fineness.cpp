@@ -91,9 +91,8 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
 
 Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
                       const RampJudgement& ramps) {
-    constexpr double kUpright = 0.998;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;
-    if (std::abs(parametrisation.axis().y) < kUpright) return {};
+    if (!parametrisation.isUpright()) return {};
     const double timesU = kRise / ramps.shape.slope(ramps.shape.columns);
     const double timesV = kRise / ramps.shape.slope(ramps.shape.rows);
     const AxisResponse& onU = ramps.response->u;

@@ -64,9 +64,8 @@ StripePlan planStripes(Questionnaire& questionnaire, Draws& draws, const Ball& b
 
 StripeAgreement readStripes(const StripePlan& plan, const Answers& answers,
                             const RampJudgement& ramps) {
-    constexpr double kUpright = 0.998;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;
-    if (std::abs(parametrisation.axis().y) < kUpright) return {};
+    if (!parametrisation.isUpright()) return {};
     return {correlation(plan.pairsU, answers.tiltsBeyond(plan.columns.flat, plan.columns.map),
                         [&](const Vector3& n) { return parametrisation.alongU(n); }),
             correlation(plan.pairsV, answers.tiltsBeyond(plan.rows.flat, plan.rows.map),

@@ -1,5 +1,6 @@
 // Columns that rise by one grey level each.
 #include <grader/tasks/bump/places/EvenSteps.h>
+#include <grader/tasks/bump/words/PlaceWords.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 #include <grader/tests/tasks/bump/SomeReadings.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace ticker::tasks::bump {
@@ -57,6 +59,12 @@ TEST(ReadEvenSteps, AcceptsEveryReadingRoundAnUprightAxis) {
         };
         EXPECT_LE(unevenOf(normals), 0.03) << describe(reading);
     }
+}
+
+TEST(UnevenWords, SayHowManyColumnsAreUnevenAndWhatLosesALevel) {
+    const Words words = unevenWords({0.13});
+    EXPECT_NE(words.message.find("at 13 % of the columns"), std::string::npos) << words.message;
+    EXPECT_NE(words.hint.find("a cast to int makes 30 of it"), std::string::npos) << words.hint;
 }
 
 }  // namespace
