@@ -73,6 +73,7 @@ void Vocabulary::addPart(const Quantity& part, std::string_view used) {
     }
     if (part.type == "raytracer::Vector3") points_.push_back(part.text);
     if (part.type == "raytracer::ColourRGB") colours_.push_back(part.text);
+    if (part.type == "double") numbers_.push_back(part.text);
     if (used.find(part.text) == std::string_view::npos) unused_.push_back(part);
 }
 

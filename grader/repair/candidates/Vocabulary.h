@@ -34,6 +34,8 @@ public:
     /// The same, and what functions of one argument return for a variable.
     [[nodiscard]] std::vector<std::string> points() const;
     [[nodiscard]] std::vector<std::string> colours() const;
+    /// Numbers of objects, such as a reflectivity, used or not.
+    [[nodiscard]] const std::vector<std::string>& numbers() const { return numbers_; }
     /// Lengths of the variables that are vectors.
     [[nodiscard]] std::vector<std::string> lengths() const;
     /// Numbers of the kit's own, such as a bias, that the function does not use.
@@ -60,6 +62,7 @@ private:
     std::vector<Quantity> methods_;
     std::vector<std::string> points_;
     std::vector<std::string> colours_;
+    std::vector<std::string> numbers_;
     std::vector<std::string> constants_;
 };
 

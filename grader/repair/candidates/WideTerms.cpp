@@ -87,7 +87,7 @@ void addShares(Edits& edits, int index, const Vocabulary& words) {
     const int other = numberOf(tree, node.children[1]);
     if (one < 0 || other < 0) return;
     std::vector<std::string> shares = words.variables("double");
-    std::ranges::copy(words.unused("double"), std::back_inserter(shares));
+    std::ranges::copy(words.numbers(), std::back_inserter(shares));
     for (const std::string& share : shares) {
         const std::string rest = "(1.0 - " + share + ")";
         edits.add("blend", index, {{tree.at(one).range, rest}, {tree.at(other).range, share}});

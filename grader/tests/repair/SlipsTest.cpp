@@ -320,6 +320,23 @@ INSTANTIATE_TEST_SUITE_P(
              {"direct * 0.6 + trace(scene, reflected, bouncesLeft - 1) * 0.4",
               "direct * (1.0 - share) + trace(scene, reflected, bouncesLeft - 1) * share"},
              "illuminate,isShadowed,"},
+        Slip{
+            "shares-as-numbers-of-an-object",
+            kTick,
+            kRenderer,
+            Reach::wide,
+            {"const double share = object.reflectivity();\n"
+             "    if (bouncesLeft == 0 || share == 0.0) return direct;\n"
+             "    const Vector3 R = (-ray.direction).reflectIn(N);\n"
+             "    const Ray reflected{P + N * kShadowBias, R};\n"
+             "    return direct * (1.0 - share) + trace(scene, reflected, bouncesLeft - 1) * share",
+             "if (bouncesLeft == 0 || object.reflectivity() == 0.0) return direct;\n"
+             "    const Ray reflected{P + N * kShadowBias, (-ray.direction).reflectIn(N)};\n"
+             "    return direct * 0.6 + trace(scene, reflected, bouncesLeft - 1) * 0.4"},
+            {"direct * 0.6 + trace(scene, reflected, bouncesLeft - 1) * 0.4",
+             "direct * (1.0 - object.reflectivity()) + trace(scene, reflected, bouncesLeft - 1) * "
+             "object.reflectivity()"},
+            "illuminate,isShadowed,"},
         Slip{"whole-random-number",
              kStar,
              kRenderer,
