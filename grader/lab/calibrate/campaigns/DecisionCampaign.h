@@ -59,8 +59,7 @@ private:
 
     struct JudgeOfTask {
         explicit JudgeOfTask(const Task& task)
-            : judge(judgeOfMany(task)),
-              isOfMany(task.judgeOfMany != nullptr) {}
+            : judge(judgeOfMany(task)), isOfMany(task.judgeOfMany != nullptr) {}
         Judge judge;
         bool isOfMany;
     };
