@@ -135,7 +135,7 @@ TEST(LensLog, JoinsATracedRayWithThoseOfAnotherRecursionWhereBothGiveTheColour) 
 }
 
 /// Two pixels, rendered in two passes over the picture; the second pass sets the pixels.
-LensLog readTwoPasses(bool asksCamera) {
+OnePixel twoPasses(bool asksCamera) {
     OnePixel frame;
     frame.question.settings.width = 2;
     for (const int pass : {1, 2})
@@ -152,12 +152,13 @@ LensLog readTwoPasses(bool asksCamera) {
             frame.answer.events.back().x = x;
         }
     frame.answer.images = {{ColourRGB{1.5, 0.0, 0.0}, ColourRGB{1.5, 0.0, 0.0}}};
-    return readLensLog(frame.question, frame.answer);
+    return frame;
 }
 
 TEST(LensLog, GivesEachPixelItsRaysIfTheLastOfSeveralPassesSetsThePixels) {
     for (const bool asksCamera : {true, false}) {
-        const LensLog log = readTwoPasses(asksCamera);
+        const OnePixel frame = twoPasses(asksCamera);
+        const LensLog log = readLensLog(frame.question, frame.answer);
         for (const LensPixel& pixel : log.pixels)
             EXPECT_EQ(pixel.rays.size(), 2U) << asksCamera;
         EXPECT_FALSE(checkLensCounts(log));
