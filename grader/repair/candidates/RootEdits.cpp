@@ -20,7 +20,7 @@ bool isSquareRoot(const Tree& tree, int index) {
 }
 
 /// The sum in `(-b - sqrt(d)) / (2 * a)` whose sign tells the two solutions apart, within an
-/// expression; -1: there is none.
+/// expression; -1 if it has none.
 int signedRootIn(const Tree& tree, int expression) {
     const Range& whole = tree.at(expression).range;
     for (int i = expression; i < static_cast<int>(tree.nodes.size()); ++i) {
@@ -46,7 +46,7 @@ std::optional<std::string> otherSolution(const Edits& edits, int expression) {
                    {{between, node.name == "-" ? " + " : " - "}});
 }
 
-/// A visible variable that was given the other solution than a variable; -1: there is none.
+/// The visible variable with the other solution than this one has; -1 if there is no such variable.
 int otherVariable(const Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const int value = initialiserOf(tree, tree.at(index));

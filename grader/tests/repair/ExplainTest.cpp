@@ -111,6 +111,21 @@ TEST(Explain, ProvesAnEarlyEditBeforeItAsksAllOthers) {
     EXPECT_LT(explanation.tried, 200U) << explanation.tried;
 }
 
+// Ramps do not show a place that moves by half a texel: such code passes the cheap questions.
+TEST(Explain, AsksOtherCheapQuestionsWhereTheFirstShowNothing) {
+    const std::string text = corpus::applyEdits(
+        reference("BumpySphere.cpp"),
+        {{"#include <numbers>", "#include <numbers>\n#include <raytracer/math/Random.h>"},
+         {"static_cast<int>(u * map.width())",
+          "static_cast<int>(u * map.width() + randomBetween(-0.5, 0.5))"}},
+        "test");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+    ASSERT_FALSE(explanation.repairs.empty());
+    EXPECT_NE(explanation.repairs.front().edits.front().from.find("randomBetween"),
+              std::string::npos);
+    EXPECT_LT(explanation.tried, 200U) << "as many are asked where nothing shows the mistake";
+}
+
 TEST(Explain, EveryEditThatItShowsMakesTheTaskPass) {
     const corpus::Entry entry = mistake("T1", "row-beyond-the-last");
     const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
