@@ -1,4 +1,5 @@
 #include <grader/exercise/Exercise.h>
+#include <grader/exercise/ExerciseText.h>
 
 #include <raytracer/base/Error.h>
 
@@ -7,9 +8,6 @@
 #include <algorithm>
 
 namespace ticker {
-
-/// The texts of the exercises' files, in a source that CMake writes; the last one is null.
-extern const char* const kExerciseTexts[];
 
 std::string TaskEntry::functionName() const {
     const std::size_t colons = function.rfind("::");

@@ -42,6 +42,7 @@ public:
     explicit ArchiveStream(std::filesystem::path file);
     /// @param packed  Must outlive this object.
     explicit ArchiveStream(const Packed& packed);
+    ~ArchiveStream() = default;
     ArchiveStream(const ArchiveStream&) = delete;
     ArchiveStream& operator=(const ArchiveStream&) = delete;
 

@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -35,7 +36,7 @@ std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done
                      std::size_t rest) {
     const double seconds = std::chrono::duration<double>(spent).count() *
                            static_cast<double>(rest) / static_cast<double>(done);
-    const auto whole = static_cast<int>(seconds + 0.5);
+    const auto whole = std::lround(seconds);
     return fmt::format("{}:{:02} left", whole / 60, whole % 60);
 }
 

@@ -35,6 +35,7 @@ HeightMapDescription describe(const raytracer::HeightMap& map) {
     for (int row = 0; row < map.height(); ++row)
         for (int column = 0; column < map.width(); ++column)
             told.bytes.push_back(static_cast<std::uint8_t>(
+                // NOLINTNEXTLINE(bugprone-incorrect-roundings): heights are not negative
                 map.at(column, row) * 255.0 / raytracer::kBumpFactor + 0.5));
     return told;
 }

@@ -12,6 +12,7 @@ namespace {
 template <class Value>
 bool sameValue(const Value& a, const Value& b) {
     static_assert(std::is_trivially_copyable_v<Value>);
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits, a NaN's as well
     return std::memcmp(&a, &b, sizeof(Value)) == 0;
 }
 

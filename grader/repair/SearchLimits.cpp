@@ -1,12 +1,9 @@
 #include <grader/repair/SearchLimits.h>
 
 #include <grader/base/JsonValue.h>
+#include <grader/repair/DefaultLimits.h>
 
 namespace ticker::repair {
-
-// Made from limits.json by CMake.
-extern const char* const kDefaultLimitsText;
-
 namespace {
 
 double secondsIn(const JsonValue& object, const char* field, double least) {

@@ -2,16 +2,13 @@
 
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
+#include <grader/sandbox/DefaultPolicy.h>
 
 #include <fmt/core.h>
 
 #include <cmath>
 
 namespace ticker::sandbox {
-
-// Made from limits.json by CMake.
-extern const char* const kDefaultPolicyText;
-
 namespace {
 
 double numberIn(const JsonValue& object, const char* field, double least, double most) {

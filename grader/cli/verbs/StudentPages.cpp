@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <utility>
-
 namespace ticker::cli {
 namespace {
 
@@ -28,10 +26,10 @@ SubmissionResult decided(const store::ClassEntry& entry) {
     return result;
 }
 
-report::StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
+report::StudentView viewOf(const SubmissionResult& result, const store::ClassEntry& entry,
                            const report::StudentPolicy& policy) {
     const Decision decision = entry.decision.value_or(Decision{});
-    return {std::move(result), policy, decision.comment, entry.result.verdict, decision.notes};
+    return {result, policy, decision.comment, entry.result.verdict, decision.notes};
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ std::string studentPageOf(const fs::path& out, const store::ClassEntry& entry,
     if (entry.decision)
         for (const LineNote& note : entry.decision->notes)
             fetchSource(out, note.file, result);
-    return report::studentPage(viewOf(std::move(result), entry, policy));
+    return report::studentPage(viewOf(result, entry, policy));
 }
 
 std::vector<fs::path> writeStudentPages(const fs::path& out,

@@ -17,6 +17,7 @@ struct Replacement {
     std::string text;
 
     [[nodiscard]] auto key() const { return std::make_pair(range.begin, std::string_view{text}); }
+    // NOLINTNEXTLINE(modernize-use-nullptr): the compiler's own comparison with 0
     [[nodiscard]] auto operator<=>(const Replacement&) const = default;
 };
 

@@ -18,6 +18,7 @@ struct Range {
     [[nodiscard]] bool holds(const Range& other) const {
         return begin <= other.begin && other.end <= end;
     }
+    // NOLINTNEXTLINE(modernize-use-nullptr): the compiler's own comparison with 0
     [[nodiscard]] auto operator<=>(const Range&) const = default;
 };
 

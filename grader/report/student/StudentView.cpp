@@ -182,8 +182,9 @@ StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, s
     if (!policy.compilerOutput) result_.diagnostics.clear();
 }
 
-StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
-                         std::optional<Verdict> proposed, std::vector<LineNote> notes)
+StudentView::StudentView(const SubmissionResult& result, const StudentPolicy& policy,
+                         std::string comment, std::optional<Verdict> proposed,
+                         std::vector<LineNote> notes)
     : StudentView(result, policy, std::move(comment), proposed, exerciseOf(result),
                   std::move(notes)) {}
 

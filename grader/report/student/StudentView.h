@@ -41,8 +41,9 @@ public:
                 std::optional<Verdict> proposed, const Exercise& exercise,
                 std::vector<LineNote> notes = {});
     /// The same for the exercise that the result names.
-    StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
-                std::optional<Verdict> proposed = {}, std::vector<LineNote> notes = {});
+    StudentView(const SubmissionResult& result, const StudentPolicy& policy,
+                std::string comment = {}, std::optional<Verdict> proposed = {},
+                std::vector<LineNote> notes = {});
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }

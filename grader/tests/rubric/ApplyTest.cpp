@@ -154,7 +154,8 @@ TEST(ApplyRubric, HandsOnWhatTheRubricAsksFor) {
 TEST(ApplyRubric, ChangesTheStateOnlyByWhatFails) {
     Rubric lenient = rubric();
     lenient.severities["mild"] = Severity::warn;
-    const auto stateWith = [&](TaskState state, std::vector<std::pair<std::string, Severity>> all) {
+    const auto stateWith = [&](TaskState state,
+                               const std::vector<std::pair<std::string, Severity>>& all) {
         TaskReport report = task("T1", state);
         for (const auto& [id, severity] : all) {
             Finding finding;

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-extern char** environ;
+extern char** environ;  // NOLINT: POSIX
 
 namespace ticker::testing {
 namespace {

@@ -35,6 +35,8 @@ protected:
         EXPECT_EQ(statusOf(at("")), 200);  // it runs now, and can be stopped
     }
     ~OnTheNetwork() override { server_.stop(); }
+    OnTheNetwork(const OnTheNetwork&) = delete;
+    OnTheNetwork& operator=(const OnTheNetwork&) = delete;
 
     [[nodiscard]] std::string host() const {
         return "127.0.0.1:" + std::to_string(server_.access().port);
@@ -44,13 +46,13 @@ protected:
     }
 
     [[nodiscard]] int statusOf(const std::string& path, const httplib::Headers& headers = {}) {
-        const auto result = client_.Get(path.c_str(), headers);
+        const auto result = client_.Get(path, headers);
         return result ? result->status : -1;
     }
     [[nodiscard]] int post(const httplib::Headers& headers, const std::string& path) {
         const std::string body = R"({"decisions": [{"submission": "bob", "version": 0,
             "ruling": "awarded", "comment": "", "who": "ann"}]})";
-        const auto result = client_.Post(path.c_str(), headers, body, "application/json");
+        const auto result = client_.Post(path, headers, body, "application/json");
         return result ? result->status : -1;
     }
     [[nodiscard]] bool isDecided() const { return !store::Store{class_.out()}.decisions().empty(); }
@@ -64,7 +66,7 @@ protected:
 
 TEST_F(OnTheNetwork, GivesThePageAndTheClassToWhoKnowsTheToken) {
     EXPECT_EQ(server_.address(), "http://" + host() + "/" + kToken + "/");
-    const auto page = client_.Get(at("").c_str());
+    const auto page = client_.Get(at(""));
     ASSERT_TRUE(page);
     EXPECT_EQ(page->status, 200);
     EXPECT_NE(page->get_header_value("Content-Security-Policy").find("default-src 'none'"),
@@ -117,7 +119,7 @@ TEST_F(OnTheNetwork, ChangesNothingByAGet) {
 TEST_F(OnTheNetwork, SaysThatARequestIsTooLarge) {
     const httplib::Headers own{{"X-Ticker", kToken}, {"Origin", "http://" + host()}};
     const auto result =
-        client_.Post(at("decide").c_str(), own, std::string(270'000, 'x'), "application/json");
+        client_.Post(at("decide"), own, std::string(270'000, 'x'), "application/json");
     ASSERT_TRUE(result);
     EXPECT_EQ(result->status, 413);
     const auto said = nlohmann::json::parse(result->body, nullptr, false);
@@ -133,7 +135,7 @@ TEST_F(OnTheNetwork, CanBeStoppedBeforeItServes) {
 }
 
 TEST_F(OnTheNetwork, ShowsReportsInAFrameOfTheirOwnMaking) {
-    const auto report = client_.Get(at("report?name=bob").c_str());
+    const auto report = client_.Get(at("report?name=bob"));
     ASSERT_TRUE(report);
     EXPECT_NE(report->get_header_value("Content-Security-Policy").find("sandbox"),
               std::string::npos);
@@ -180,7 +182,7 @@ TEST_F(OnTheNetwork, AnswersItsPageWhateverNumberOfOthersHoldsConnections) {
         }
         httplib::Client fresh{"127.0.0.1", server_.access().port};
         fresh.set_default_headers({{"Host", host()}});
-        const auto result = fresh.Get(at("class").c_str());
+        const auto result = fresh.Get(at("class"));
         EXPECT_TRUE(result && result->status == 200) << said;
         EXPECT_TRUE(others.front()->isEnded(-1)) << "only the newest stay";
     }

@@ -33,6 +33,8 @@ protected:
         studio_.board().close();
         server_.stop();
     }
+    ViewServerTest(const ViewServerTest&) = delete;
+    ViewServerTest& operator=(const ViewServerTest&) = delete;
 
     /// "http://127.0.0.1:8123"
     [[nodiscard]] std::string origin() const {

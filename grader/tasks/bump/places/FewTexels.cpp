@@ -81,6 +81,7 @@ public:
     void add(double coordinate, double along) {
         const double at = coordinate * count_;
         if (isBefore(at, count_)) end_.add(along);
+        // NOLINTNEXTLINE(bugprone-integer-division): the ridge in the middle is a whole texel
         if (isBefore(at, count_ / 2 + 1)) middle_.add(along);
     }
     /// 1 if nothing tilts before the ridge in the middle, as with differences to the texel before,

@@ -102,6 +102,7 @@ private:
         const double radius = lit_.asked.question.settings.lightSize;
         if (const auto open = open_.find(event.thread); open != open_.end()) {
             open->second.rays.push_back(event);
+            // NOLINTNEXTLINE(bugprone-branch-clone): a ray of the lens may aim at a light, too
         } else if (startsInALight(scene, radius, event)) {
             ++lit_.looseRays;
         } else if (surfaces_.distanceToNearest(event.a) > kOnSurface) {

@@ -133,10 +133,12 @@ std::string judgeWithAPixel(const Vector3& reach, const Vector3& from) {
     LensByHand lens;
     fill(lens, [](double x, double y) { return Vector3{x * kAmount, y * kAmount, 0.0}; });
     LensPixel& pixel = lens.pixel();
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 60; ++i) {
+        const int row = i / 8;
         pixel.rays.push_back(
-            rayThrough({from.x + reach.x * (i % 8) / 7.0, from.y + reach.y * (i / 8) / 7.0, 0.0},
+            rayThrough({from.x + reach.x * (i % 8) / 7.0, from.y + reach.y * row / 7.0, 0.0},
                        {0.0, 0.0, 3.5}));
+    }
     return idOf(checkAperture(lens.log).finding);
 }
 
@@ -151,9 +153,11 @@ TEST(Aperture, IsUnevenAndNotUsedInPartWhereItsPointsCrowdInTheMiddle) {
     LensByHand lens;
     for (int i = 0; i < 20; ++i) {
         LensPixel& pixel = lens.pixel();
-        for (int j = 0; j < 100; ++j)
+        for (int j = 0; j < 100; ++j) {
+            const int row = j / 10;
             pixel.rays.push_back(
-                rayThrough({0.004 * (j % 10 - 4.5), 0.004 * (j / 10 - 4.5), 0.0}, {0.0, 0.0, 3.5}));
+                rayThrough({0.004 * (j % 10 - 4.5), 0.004 * (row - 4.5), 0.0}, {0.0, 0.0, 3.5}));
+        }
     }
     lens.pixel().rays = {rayThrough({-0.2, -0.2, 0.0}, {0.0, 0.0, 3.5}),
                          rayThrough({0.2, 0.2, 0.0}, {0.0, 0.0, 3.5})};

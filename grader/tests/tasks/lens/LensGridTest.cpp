@@ -22,7 +22,8 @@ std::optional<Finding> judgeGrid(double inX, double inY, int rays = 64) {
         LensPixel& pixel = lens.pixel();
         for (int ray = 0; ray < rays; ++ray) {
             const double x = 2.0 * (ray % kCells + inX) / kCells - 1.0;
-            const double y = 2.0 * (ray / kCells + inY) / kCells - 1.0;
+            const int row = ray / kCells;
+            const double y = 2.0 * (row + inY) / kCells - 1.0;
             pixel.rays.push_back(rayThrough(Vector3{x, y, 0.0} * kLensAmount, {0.0, 0.0, 3.5}));
         }
     }

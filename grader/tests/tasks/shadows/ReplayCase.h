@@ -26,6 +26,7 @@ struct ReplayCase {
         question.question.points = {{1, {}, {0.0, 1.0, 0.0}, {0.0, 3.0, 0.0}}};
     }
 
+    ~ReplayCase() = default;
     ReplayCase(const ReplayCase& other) : question(other.question), log(other.log) {
         log.asked = &question;
     }

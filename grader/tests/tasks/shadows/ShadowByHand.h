@@ -20,6 +20,7 @@ public:
     using Purpose = ShadowQuestion::Purpose;
 
     ShadowByHand() = default;
+    ~ShadowByHand() = default;
     ShadowByHand(const ShadowByHand&) = delete;
     ShadowByHand& operator=(const ShadowByHand&) = delete;
 

@@ -47,6 +47,7 @@ public:
                 (scene.pointLights[0].position() - scene.planes[0].point).normalised());
         }
     }
+    ~FarAims() = default;
     FarAims(const FarAims&) = delete;
     FarAims& operator=(const FarAims&) = delete;
 

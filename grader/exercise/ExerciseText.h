@@ -1,0 +1,11 @@
+#ifndef TICKER_EXERCISE_EXERCISE_TEXT_H
+#define TICKER_EXERCISE_EXERCISE_TEXT_H
+
+namespace ticker {
+
+/// The texts of the exercises' files, in a source that CMake writes; the last one is null.
+extern const char* const kExerciseTexts[];
+
+}  // namespace ticker
+
+#endif
