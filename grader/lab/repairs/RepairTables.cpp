@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -26,10 +27,11 @@ struct Sum {
         cpuMs.push_back(row.cpuMs);
     }
     [[nodiscard]] double quantile(double share) const {
+        if (cpuMs.empty()) return 0.0;
         std::vector<double> sorted = cpuMs;
         std::ranges::sort(sorted);
         const auto last = static_cast<double>(sorted.size() - 1);
-        return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(share * last + 0.5)];
+        return sorted[static_cast<std::size_t>(std::lround(share * last))];
     }
 };
 

@@ -35,6 +35,7 @@ TEST(Documents, KeepWhatPreventsLostGrades) {
     expectToFind(
         {{"docs/platforms.md",
           {// Moodle's worksheet
+           // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): long sentences take two lines
            "Upload `OUT/moodle-worksheet.csv` (separator: comma), **then** "
            "`OUT/moodle-feedback.zip`",
            "Switch Moodle to English for the download and the upload of the worksheet",

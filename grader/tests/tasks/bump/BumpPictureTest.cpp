@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -98,8 +99,9 @@ TEST(PlanBumpPicture, AsksWhereThePixelsOfTheBumpyBallMeetIt) {
         const Vector3& at = plan.question.positions[i];
         EXPECT_NEAR((at - kCentre).magnitude(), 1.0, 1e-9);
         EXPECT_LT((at - kCentre).dot(at), 0.0) << "the near side";
+        const std::size_t row = plan.pixels[i] / 36;
         const auto x = static_cast<double>(plan.pixels[i] % 36);
-        const auto y = static_cast<double>(plan.pixels[i] / 36);
+        const auto y = static_cast<double>(row);
         EXPECT_NEAR(at.x / at.z, (x + 0.5 - 18.0) * pitch, 1e-9);
         EXPECT_NEAR(at.y / at.z, (13.5 - y - 0.5) * pitch, 1e-9);
     }
