@@ -36,6 +36,8 @@ protected:
         setenv("TICKER_HOME", home().c_str(), 1);
     }
     ~LabVerbs() override { unsetenv("TICKER_HOME"); }
+    LabVerbs(const LabVerbs&) = delete;
+    LabVerbs& operator=(const LabVerbs&) = delete;
 
     [[nodiscard]] fs::path home() const { return folder_.path() / "home"; }
 

@@ -24,7 +24,7 @@ protected:
     int decide() {
         const std::string host = "127.0.0.1:" + std::to_string(port());
         const httplib::Headers own{{"X-Ticker", token()}, {"Origin", "http://" + host}};
-        const auto result = client_.Post(("/" + token() + "/decide").c_str(), own,
+        const auto result = client_.Post("/" + token() + "/decide", own,
                                          R"({"decisions": [{"submission": "bob", "version": 0,
             "ruling": "awarded", "comment": "", "who": "ann"}]})",
                                          "application/json");
@@ -36,7 +36,7 @@ protected:
         constexpr int kMost = 200'000;  // the tables are written every three seconds
         for (int i = 0; i < kMost; ++i) {
             if (isSo()) return true;
-            const auto result = client_.Get(("/" + token() + "/class").c_str());
+            const auto result = client_.Get("/" + token() + "/class");
             if (!result || result->status != 200) return false;
         }
         return false;

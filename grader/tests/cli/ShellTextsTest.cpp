@@ -66,7 +66,7 @@ TEST(Version, NamesTheCommitWhereThereIsOne) {
     const CommandResult head =
         runCommand("git -C " TICKER_SOURCE_DIR " rev-parse --short=10 HEAD 2>/dev/null");
     if (head.status != 0) GTEST_SKIP() << "no checkout";
-    EXPECT_NE(version.output.find("("), std::string::npos) << version.output;
+    EXPECT_NE(version.output.find('('), std::string::npos) << version.output;
 }
 
 }  // namespace

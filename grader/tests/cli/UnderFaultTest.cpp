@@ -104,7 +104,7 @@ TEST_F(UnderFault, SessionRefusesAStoreWithoutResultsAsReportDoes) {
     const std::string quoted = "'" + out().string() + "'";
     for (const char* suffix : {"", "-wal", "-shm"})
         fs::remove(out() / (std::string{"results.sqlite"} + suffix));
-    std::ofstream{out() / "results.sqlite"};
+    static_cast<void>(std::ofstream{out() / "results.sqlite"});
     const Ran report = run("report " + quoted);
     const Ran session = run("session " + quoted);
     EXPECT_EQ(session.status, 2);
