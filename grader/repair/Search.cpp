@@ -74,6 +74,7 @@ bool Search::takeScreening(Screening drawn) {
     Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
     isSeen_ = !drawn.mayPass(run);
     if (!screening_.mayPass || isSeen_) {
+        if (screening_.mayPass) passed_ = std::move(screening_);  // the first that were drawn
         screening_ = std::move(drawn);
         screenedAsHandedIn_ = std::move(run);
     }
@@ -93,12 +94,27 @@ void Search::drawScreening() {
     }
 }
 
-std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
-    if (!screening_.mayPass) return {sets.begin(), sets.end()};
+// Most edits break what the first cheap questions see. Others may take ten times as long to answer.
+std::vector<EditSet> Search::stillPassing(std::span<const EditSet> sets) {
+    if (!passed_.mayPass) return {sets.begin(), sets.end()};
+    std::vector<EditSet> kept;
+    program_.askEach(passed_.questions, sets, [&](std::size_t i, const Run& run) {
+        ++asked_;
+        if (!isFinished(run))
+            idle_.insert(sets[i]);
+        else if (passed_.mayPass(run))
+            kept.push_back(sets[i]);
+    });
+    return kept;
+}
+
+std::vector<EditSet> Search::screened(std::span<const EditSet> drawn) {
+    if (!screening_.mayPass) return {drawn.begin(), drawn.end()};
+    const std::vector<EditSet> sets = stillPassing(drawn);
     std::vector<EditSet> kept;
     std::vector<EditSet> alike;
     program_.askEach(screening_.questions, sets, [&](std::size_t i, const Run& run) {
-        ++asked_;
+        if (!passed_.mayPass) ++asked_;
         const bool isAlike = isFinished(run) && sameAnswers(run, screenedAsHandedIn_);
         if (isSeen_ && (isAlike || !isFinished(run))) idle_.insert(sets[i]);
         if (!isFinished(run) || (isSeen_ && isAlike)) return;

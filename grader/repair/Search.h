@@ -58,6 +58,8 @@ private:
     /// @return  Whether it does.
     bool takeScreening(Screening drawn);
     [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
+    /// Those with which the submission still passes the cheap questions that it passes without.
+    [[nodiscard]] std::vector<EditSet> stillPassing(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
     [[nodiscard]] bool passesOthers(const EditSet& set) const;
     /// Judges each set whose answers differ from those without edits.
@@ -77,6 +79,7 @@ private:
     probe::Run asHandedIn_;               ///< the answers to them without edits
     Screening screening_;                 ///< the cheap questions, if the task has any
     probe::Run screenedAsHandedIn_;       ///< the answers to them without edits
+    Screening passed_;                    ///< the first cheap questions, if `screening_` are others
     bool isSeen_ = false;  ///< whether the submission fails the cheap questions without edits
     std::size_t asked_ = 0;
     std::set<EditSet> idle_;
