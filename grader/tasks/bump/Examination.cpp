@@ -85,10 +85,12 @@ MainPlan planMain(std::uint64_t seed) {
     plan.order = plan.questionnaire.addInBothOrders(drawBall(draws, 1.0), noiseMap(draws, 12, 6),
                                                     draws.directions(kOrderedPoints));
     plan.evenSteps = planEvenSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.lightSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0), kLightSteps);
     plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
     for (const LevelPair& pair :
          {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows,
-          plan.sharpSteps.grey, plan.sharpSteps.white, plan.slopes.smallField}) {
+          plan.sharpSteps.grey, plan.sharpSteps.higher, plan.slopes.smallField,
+          plan.lightSteps.grey, plan.lightSteps.higher}) {
         plan.conduct.rough.push_back(pair.flat);
         plan.conduct.rough.push_back(pair.map);
     }
@@ -152,7 +154,8 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.proportion = readProportion(plan.proportion, answers);
     examination.untilted = readUntilted(plan.untilted, answers);
     examination.elsewhere = readElsewhere(plan.elsewhere, answers);
-    examination.sharpSteps = readSharpSteps(plan.sharpSteps, answers);
+    examination.sharpSteps = std::max(readSharpSteps(plan.sharpSteps, answers),
+                                      readSharpSteps(plan.lightSteps, answers), turnsFewer);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;

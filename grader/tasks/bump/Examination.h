@@ -43,6 +43,7 @@ struct MainPlan {
     CapPlan caps;
     FewTexelPlan fewTexels;
     EvenStepPlan evenSteps;
+    SharpStepPlan lightSteps;
     OrderPair order;  ///< of a rough map of few rows
 };
 
@@ -75,7 +76,7 @@ struct Examination {
     Proportion proportion;
     Untilted untilted;
     Elsewhere elsewhere;
-    SharpSteps sharpSteps;
+    SharpSteps sharpSteps;  ///< the worse of `MainPlan::sharpSteps` and `lightSteps`
     std::optional<RegionAgreement> regions;  ///< this and all below need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;

@@ -34,27 +34,30 @@ HeightMapDescription mapOf(const std::vector<std::uint8_t>& blocks, int height) 
 
 }  // namespace
 
-SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
+                             const StepHeights& heights) {
     constexpr int kPoints = 500;
     constexpr int kGrey = 100;
     const std::vector<std::uint8_t> blocks = drawBlocks(draws);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     const LevelPair grey = questionnaire.addPair(ball, mapOf(blocks, kGrey), directions);
-    return {grey, questionnaire.addPair(ball, mapOf(blocks, draws.integer(200, 240)), directions)};
+    const int height = draws.integer(heights.least, heights.most);
+    return {grey, questionnaire.addPair(ball, mapOf(blocks, height), directions),
+            heights.least == kWhiteSteps.least};
 }
 
 SharpSteps readSharpSteps(const SharpStepPlan& plan, const Answers& answers) {
     constexpr double kSomeTilt = 1e-5;  // single precision leaves 1e-7
     const std::vector<Vector3> grey = answers.tiltsBeyond(plan.grey.flat, plan.grey.map);
-    const std::vector<Vector3> white = answers.tiltsBeyond(plan.white.flat, plan.white.map);
+    const std::vector<Vector3> higher = answers.tiltsBeyond(plan.higher.flat, plan.higher.map);
     double turned = 0.0;
     double tilted = 0.0;
     for (std::size_t i = 0; i < grey.size(); ++i) {
-        if (!(std::min(grey[i].magnitude(), white[i].magnitude()) > kSomeTilt)) continue;
+        if (!(std::min(grey[i].magnitude(), higher[i].magnitude()) > kSomeTilt)) continue;
         tilted += 1.0;
-        if (grey[i].dot(white[i]) < 0.0) turned += 1.0;
+        if (grey[i].dot(higher[i]) < 0.0) turned += 1.0;
     }
-    return {turned / std::max(1.0, tilted)};
+    return {turned / std::max(1.0, tilted), plan.isWhite};
 }
 
 }  // namespace ticker::tasks::bump

@@ -6,23 +6,40 @@
 
 namespace ticker::tasks::bump {
 
-/// One pattern of blocks twice, at the same points: grey on black, and nearly white on black.
+/// Heights of blocks, in bytes.
+struct StepHeights {
+    int least = 0;
+    int most = 0;
+};
+/// A signed byte holds none of them.
+inline constexpr StepHeights kWhiteSteps{200, 240};
+/// More than 2.3 and less than 3.8: differences that wrap at 2 turn these, and not those above 4.
+inline constexpr StepHeights kLightSteps{120, 190};
+
+/// One pattern of blocks twice, at the same points: grey on black, and higher ones.
 struct SharpStepPlan {
-    LevelPair grey;   ///< steps of 100 bytes
-    LevelPair white;  ///< of 200 to 240
+    LevelPair grey;    ///< steps of 100 bytes
+    LevelPair higher;  ///< of the heights that were asked for
+    bool isWhite = true;
 };
 
 [[nodiscard]] SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws,
-                                           const Ball& ball);
+                                           const Ball& ball,
+                                           const StepHeights& heights = kWhiteSteps);
 
 /// Share of the points that both patterns tilt, but to opposite sides. Whatever the reading, a
 /// higher step tilts to the same side; rounding decides at none of these points. Differences that
-/// are kept in a signed byte wrap, and turn all of them.
+/// are kept in a number that is too short for them wrap, and turn all of them.
 struct SharpSteps {
     double turned = 0.0;
+    bool isWhite = true;  ///< whether the higher steps are `kWhiteSteps`
 
     [[nodiscard]] bool good() const { return turned <= 0.1; }
 };
+
+[[nodiscard]] inline bool turnsFewer(const SharpSteps& some, const SharpSteps& others) {
+    return some.turned < others.turned;
+}
 
 [[nodiscard]] SharpSteps readSharpSteps(const SharpStepPlan& plan, const Answers& answers);
 

@@ -59,7 +59,7 @@ enum class WrongReason {
     turnedAtPoles,       ///< the tilt's direction is wrong near the poles alone
     stepsUneven,         ///< equal steps of grey tilt by different amounts
     fewTexelsDiffer,     ///< beside the first or last row or column of a small map
-    sharpStepsTurned,    ///< white beside black tilts to the other side
+    sharpStepsTurned,    ///< white, or light grey, beside black tilts to the other side
     smallSphereDiffers,  ///< on a very small sphere
     smoothInPlaces       ///< a condition of the code's own keeps the normal smooth in places
 };

@@ -117,12 +117,16 @@ Words unevenWords(const EvenSteps& steps) {
 }
 
 Words sharpStepWords(const SharpSteps& steps) {
-    return {fmt::format("Where a white texel lies beside a black one the normal tilts to the wrong "
-                        "side, at {} of these points; beside a grey one it is right.",
-                        percent(steps.turned)),
-            "heightMap().at(column, row) is a double: subtract the two heights as they are. A "
-            "difference of grey values from 0 to 255 does not fit into a signed char, and that of "
-            "two unsigned char is never negative.",
+    return {fmt::format("Where a {} texel lies beside a black one the normal tilts to the wrong "
+                        "side, at {} of these points; beside a {} one it is right.",
+                        steps.isWhite ? "white" : "light grey", percent(steps.turned),
+                        steps.isWhite ? "grey" : "dark grey"),
+            steps.isWhite
+                ? "heightMap().at(column, row) is a double: subtract the two heights as they are. "
+                  "A difference of grey values from 0 to 255 does not fit into a signed char, and "
+                  "that of two unsigned char is never negative."
+                : "heightMap().at(column, row) is a double: subtract the two heights as they are. "
+                  "A difference of fixed-point numbers does not fit into every integer type.",
             "Option 1: What to do, step 3"};
 }
 

@@ -18,7 +18,7 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words fewTexelWords(const FewTexels& fewTexels);
 /// Equal steps of grey that tilt by different amounts.
 [[nodiscard]] Words unevenWords(const EvenSteps& steps);
-/// White beside black tilts to the wrong side.
+/// White, or light grey, beside black tilts to the wrong side.
 [[nodiscard]] Words sharpStepWords(const SharpSteps& steps);
 /// Other slopes on a very small sphere.
 [[nodiscard]] Words smallSphereWords(const SlopeAgreement& slopes);

@@ -1,4 +1,4 @@
-// Grey and white blocks on black.
+// Grey, light grey and white blocks on black.
 #include <grader/tasks/bump/questions/SharpSteps.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
@@ -15,10 +15,12 @@ namespace {
 using selftest::Point;
 
 /// The share of points that turn, for code that takes `bent(slope)` for each slope.
-double turnedBy(const std::function<double(double)>& bent, std::uint64_t seed = 4) {
+double turnedBy(const std::function<double(double)>& bent, std::uint64_t seed = 4,
+                const StepHeights& heights = kWhiteSteps) {
     Questionnaire questionnaire;
     Draws draws(seed);
-    const SharpStepPlan plan = planSharpSteps(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
+    const SharpStepPlan plan =
+        planSharpSteps(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0}, heights);
     const auto factor = [&](double slope) { return slope == 0.0 ? 1.0 : bent(slope) / slope; };
     const auto function =
         tests::inProportion(tests::kParametrisation, [&](const tests::Place& at, const Point&) {
@@ -35,9 +37,18 @@ TEST(ReadSharpSteps, SeesStepsThatWrap) {
               1.0);
 }
 
+// Fixed-point numbers of 30 bits after the point wrap so in 32 bits. Steps above 4, as white on
+// black, keep their sign.
+TEST(ReadSharpSteps, SeesStepsThatWrapAtTwo) {
+    const auto wrapped = [](double slope) { return std::remainder(2.0 * slope, 4.0) / 2.0; };
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        EXPECT_EQ(turnedBy(wrapped, seed, kLightSteps), 1.0) << seed;
+}
+
 TEST(ReadSharpSteps, AcceptsStepsThatKeepTheirSign) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
-        EXPECT_EQ(turnedBy([](double slope) { return slope; }, seed), 0.0);
+        for (const StepHeights& heights : {kWhiteSteps, kLightSteps})
+            EXPECT_EQ(turnedBy([](double slope) { return slope; }, seed, heights), 0.0);
     EXPECT_EQ(turnedBy([](double slope) { return std::tanh(slope); }), 0.0)
         << "slopes that saturate are another question's matter";
 }
