@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
 #include <system_error>
 
@@ -24,12 +25,22 @@ FileDescriptor memoryFile() {
     return file;
 }
 
+// EBUSY: the kernel itself holds a page for a moment, as when it moves memory. It waits for 0.15 s
+// in each call, which is too short on a busy machine.
+bool seal(const FileDescriptor& file, int seals) {
+    constexpr int kMostTries = 40;
+    for (int i = 0; i < kMostTries; ++i) {
+        if (fcntl(file.get(), F_ADD_SEALS, seals) == 0) return true;
+        if (errno != EBUSY) return false;
+    }
+    return false;
+}
+
 }  // namespace
 
 SharedMemory::SharedMemory(std::size_t size) : descriptor_(memoryFile()) {
     require(ftruncate(descriptor_.get(), static_cast<off_t>(size)) == 0, "size");
-    require(fcntl(descriptor_.get(), F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) == 0,
-            "seal");
+    require(seal(descriptor_, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL), "seal");
 }
 
 void SharedMemory::write(std::size_t at, std::span<const std::byte> bytes) const {
@@ -59,9 +70,7 @@ FileDescriptor sealedCopy(std::span<const std::byte> bytes) {
         require(written > 0, "fill");
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    require(fcntl(file.get(), F_ADD_SEALS,
-                  F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) == 0,
-            "seal");
+    require(seal(file, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL), "seal");
     return file;
 }
 
