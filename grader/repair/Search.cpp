@@ -94,7 +94,7 @@ void Search::drawScreening() {
     }
 }
 
-// Most edits break what the first cheap questions see. Others may take ten times as long to answer.
+// Most edits fail the first cheap questions. Other ones may take ten times as long to answer.
 std::vector<EditSet> Search::stillPassing(std::span<const EditSet> sets) {
     if (!passed_.mayPass) return {sets.begin(), sets.end()};
     std::vector<EditSet> kept;

@@ -23,6 +23,7 @@ struct SharpStepPlan {
     bool isWhite = true;
 };
 
+/// @param heights  The range that the height of the second pattern is drawn from.
 [[nodiscard]] SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws,
                                            const Ball& ball,
                                            const StepHeights& heights = kWhiteSteps);
@@ -37,6 +38,7 @@ struct SharpSteps {
     [[nodiscard]] bool good() const { return turned <= 0.1; }
 };
 
+/// Whether a smaller share of the points turns.
 [[nodiscard]] inline bool turnsFewer(const SharpSteps& some, const SharpSteps& others) {
     return some.turned < others.turned;
 }
