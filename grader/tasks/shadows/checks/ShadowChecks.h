@@ -97,7 +97,8 @@ struct ShadowLogs {
 /// The finding if a light or surface of one channel gets its rays, or no rays are visible, but its
 /// colour is wrong.
 [[nodiscard]] Finding channelsLost();
-/// Whether rays below the surface's horizon count as blocked.
+/// Whether rays below the surface's horizon count as blocked, and whether a light whose centre is
+/// below it takes no light away.
 /// @param reading  The reading that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);

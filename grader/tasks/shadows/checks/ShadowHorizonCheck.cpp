@@ -32,9 +32,24 @@ bool isLevel(const AimLine& line, const PointLog& point) {
     return slope > -kLevel && slope < kSinglePrecision;
 }
 
+bool isBelow(const AimLine& line, const PointLog& point) {
+    return slopeOf(line, point) <= -kLevel;
+}
+
 PointLog levelSeenAs(Sight sight, PointLog point) {
     for (AimLine& line : point.lines[0])
         if (isLevel(line, point)) line.toLight = sight;
+    return point;
+}
+
+PointLog belowSeenAs(Sight sight, PointLog point) {
+    for (AimLine& line : point.lines[0])
+        if (isBelow(line, point)) line.toLight = line.endlessly = sight;
+    return point;
+}
+
+PointLog withoutBelow(PointLog point) {
+    std::erase_if(point.lines[0], [&](const AimLine& line) { return isBelow(line, point); });
     return point;
 }
 
@@ -62,34 +77,57 @@ bool allRight(const ShadowLog& log, const ShadowReading& reading, Sight level) {
     });
 }
 
-// Whether the rays that were not cast count as blocked, under any accepted reading. The reading
-// that fits elsewhere does not decide: it may fit only since its interval is wide, and here, where
-// the rays differ most in N.L, the code's own reading may be another.
-bool countsMissing(ShadowLog log) {
-    for (PointLog& point : log.points)
+// Whether the rays that were not cast count as blocked, and those below the horizon as blocked or,
+// in code that ignores hits on the object that they leave, as open. Under any accepted reading: the
+// one that fits elsewhere does not decide. It may fit only since its interval is wide, and here,
+// where the rays differ most in N.L, the code's own reading may be another.
+bool countsEvery(const ShadowLog& log, Sight below) {
+    std::vector<PointLog> points;
+    for (const PointLog& point : log.points)
         if (!point.lines[0].empty())
-            point = filledUp(levelSeenAs(Sight::unsure, point), askedOf(log));
+            points.push_back(
+                filledUp(levelSeenAs(Sight::unsure, belowSeenAs(below, point)), askedOf(log)));
     return std::ranges::any_of(acceptedShadowReadings(), [&](const ShadowReading& reading) {
         return std::ranges::all_of(
-            log.points, [&](const PointLog& point) { return isRight(point, log, reading); });
+            points, [&](const PointLog& point) { return isRight(point, log, reading); });
     });
 }
 
-// The clearest example of a point whose light is the share of the rays that were cast, and not of
-// those that were asked for. Null if some point with fewer rays does not have that share, or if the
-// missing rays may count as blocked after all.
-const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
-    if (reading.terms != ShadowReading::Terms::together) return nullptr;
-    const PointLog* clearest = nullptr;
+// Whether it is sure of every ray below the horizon that the floor blocks it. It is not if rays
+// start on the floor itself: rounding decides then whether they hit it.
+bool isSureBelow(const ShadowLog& log) {
+    return std::ranges::all_of(log.points, [](const PointLog& point) {
+        return std::ranges::none_of(point.lines[0], [&](const AimLine& line) {
+            return isBelow(line, point) && line.toLight == Sight::unsure;
+        });
+    });
+}
+
+// A point whose light is the share of its rays above the horizon.
+struct ShareAbove {
+    std::size_t above = 0;    // rays above the horizon
+    std::size_t arrived = 0;  // of these
+    std::size_t all = 0;      // rays that were asked for, or cast if these are more
+};
+
+// The clearest example of a point whose light is the share of the rays above the horizon alone,
+// whether the others were cast or not. None if some point does not have that share, or if every ray
+// may count after all.
+std::optional<ShareAbove> leftOut(const ShadowLog& log, const ShadowReading& reading) {
+    if (reading.terms != ShadowReading::Terms::together || !isSureBelow(log)) return std::nullopt;
+    std::optional<ShareAbove> clearest;
     for (const PointLog& point : log.points) {
-        const std::size_t cast = point.lines[0].size();
-        if (cast == 0 || cast >= askedOf(log) || openOf(point) == 0) continue;
-        const PointLog seen = levelSeenAs(Sight::unsure, point);
-        if (!isRight(seen, log, reading)) return nullptr;
-        if (isRight(filledUp(seen, askedOf(log)), log, reading)) continue;
-        if (clearest == nullptr || cast < clearest->lines[0].size()) clearest = &point;
+        const PointLog seen = levelSeenAs(Sight::unsure, withoutBelow(point));
+        const ShareAbove share{seen.lines[0].size(), openOf(seen),
+                               std::max(askedOf(log), point.lines[0].size())};
+        if (share.above == share.all || share.arrived == 0) continue;
+        if (!isRight(seen, log, reading)) return std::nullopt;
+        if (isRight(filledUp(seen, share.all), log, reading)) continue;
+        if (!clearest || share.above < clearest->above) clearest = share;
     }
-    return clearest != nullptr && countsMissing(log) ? nullptr : clearest;
+    if (clearest && (countsEvery(log, Sight::blocked) || countsEvery(log, Sight::open)))
+        return std::nullopt;
+    return clearest;
 }
 
 // Whether the light is the share of all rays that were cast.
@@ -123,13 +161,35 @@ bool noneGoesBelow(const ShadowLog& log, const AimVerdict& aims, const ShadowRea
     for (const PointLog& point : log.points) {
         if (point.lines[0].size() < askedOf(log)) return false;
         for (const AimLine& line : point.lines[0]) {
-            if (slopeOf(line, point) <= -kLevel) return false;
+            if (isBelow(line, point)) return false;
             if (isLevel(line, point)) ++level;
         }
         lines += point.lines[0].size();
     }
     return std::min(lines, aims.distinct) >= kEnough &&
            countsAll(log, reading, level * kMoved >= lines);
+}
+
+bool isDarkened(const PointLog& point, const ShadowLog& log) {
+    const ColourRGB ambient = ambientPart(point, log.scene());
+    const ColourRGB least = ambient - toleranceAt(point, log.scene(), false);
+    return point.colour.r < least.r || point.colour.g < least.g || point.colour.b < least.b;
+}
+
+// Whether light is taken away: with no accepted reading is a point darker than its ambient light.
+std::optional<Finding> checkDarkened(const ShadowLog& log) {
+    if (std::ranges::none_of(log.points,
+                             [&](const PointLog& point) { return isDarkened(point, log); }))
+        return std::nullopt;
+    Finding finding = distributedFinding(
+        kShadowWrong, Severity::fail,
+        "Where the centre of a light is below the surface's horizon and a part of it is above, at "
+        "least the ambient light was expected; it is darker there: the light takes some away.");
+    finding.hint =
+        "N.L is negative there. Keep std::max(0.0, N.dot(L)): the shadow rays do not replace it, "
+        "since those to the part above the horizon arrive.";
+    finding.section = "Soft shadows (T2.1), step 2";
+    return finding;
 }
 
 constexpr const char* kExpected =
@@ -141,13 +201,13 @@ constexpr const char* kExpected =
 std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                     const ShadowReading& reading) {
     for (const ShadowLog* log : logs.horizon) {
-        const std::size_t asked = askedOf(*log);
-        if (const PointLog* point = leftOut(*log, reading)) {
+        if (std::optional<Finding> darkened = checkDarkened(*log)) return darkened;
+        if (const std::optional<ShareAbove> share = leftOut(*log, reading)) {
             Finding finding = distributedFinding(
                 kShadowWrong, Severity::fail,
                 kExpected + fmt::format("where {0} of {1} rays are above it and {2} arrive, there "
                                         "is {2}/{0} of the light instead of {2}/{1}.",
-                                        point->lines[0].size(), asked, openOf(*point)));
+                                        share->above, share->all, share->arrived));
             finding.hint =
                 "A ray below the horizon (towards.dot(N) <= 0) may be spared, but it counts as "
                 "blocked: divide by settings().shadowRayCount, not by the number of rays that are "

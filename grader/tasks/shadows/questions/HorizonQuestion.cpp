@@ -1,6 +1,7 @@
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/support/Draw.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace ticker::tasks {
@@ -32,6 +33,36 @@ ShadowQuestion drawHorizon(Draw& draw) {
         drawn.zones.push_back({Zone::penumbra});
     }
     setCapacity(drawn);
+    return drawn;
+}
+
+ShadowQuestion drawHorizonBehindBall(Draw& draw) {
+    ShadowQuestion drawn = drawHorizon(draw);
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    const auto [foot, up, material] = scene.planes.front();
+    const Vector3 towards = scene.pointLights.front().position() - foot;
+    const double height = towards.dot(up);
+    const double highest = height + drawn.question.settings.lightSize;
+    const Vector3 halfway = foot + (towards - up * height) * 0.5;
+    const double gap = 0.5 * highest * draw.between(0.3, 0.5);
+    const double radius = draw.between(0.5, 0.7);
+    scene.spheres.push_back({halfway + up * (gap + radius), radius, drawMaterial(draw), nullptr});
+    for (probe::LitPoint& point : drawn.question.points)
+        point.object = 1;
+    return drawn;
+}
+
+ShadowQuestion drawSunkenLight(Draw& draw) {
+    constexpr double kBright = 16.0;  // so that the small |N.L| shows
+    ShadowQuestion drawn = drawHorizon(draw);
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    const auto [foot, up, material] = scene.planes.front();
+    const Vector3 towards = scene.pointLights.front().position() - foot;
+    const Vector3 sunken = towards - up * (2.0 * towards.dot(up));
+    scene.pointLights.front() =
+        drawLight(draw, foot + sunken, std::sqrt(kBright) * sunken.magnitude());
+    for (probe::LitPoint& point : drawn.question.points)
+        point.viewer = point.position + up * draw.between(3.0, 5.0);
     return drawn;
 }
 

@@ -92,6 +92,15 @@ void setCapacity(ShadowQuestion& question);
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
 [[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);
 
+/// The same behind a ball over the floor, which hides the upper part of the light: only rays to a
+/// strip above the horizon arrive. Tells code that leaves out the rays below the horizon from code
+/// that ignores hits on the floor, whose rays arrive there.
+[[nodiscard]] ShadowQuestion drawHorizonBehindBall(Draw& draw);
+
+/// A floor, and a light whose centre is below it, so that N.L is negative, and a part of it above.
+/// The light is bright. The viewers see no highlight.
+[[nodiscard]] ShadowQuestion drawSunkenLight(Draw& draw);
+
 /// A floor under a low light, all of it in sight. The viewers and the eye are on its side: R.V is
 /// below -0.5, and there is no highlight.
 [[nodiscard]] ShadowQuestion drawLowLight(Draw& draw);

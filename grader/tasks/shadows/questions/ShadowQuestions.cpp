@@ -175,6 +175,8 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
                                 drawSmallLights, drawPenumbraEdges, drawOtherSizes})
         for (ShadowQuestion& drawn : drawNext(draw))
             questions.push_back(std::move(drawn));
+    questions.push_back(drawHorizonBehindBall(draw));
+    questions.push_back(drawSunkenLight(draw));
     return questions;
 }
 

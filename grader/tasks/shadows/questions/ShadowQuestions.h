@@ -24,7 +24,7 @@ struct ShadowQuestion {
         otherSettings,  ///< like oneLight or in plain sight, with other ray counts and light sizes
         inLine,         ///< spheres one behind the other, before the light and beyond it
         contact,        ///< a ball that rests on the floor, and points close to where it does
-        horizon,        ///< a light so low above a floor that part of it is below the horizon
+        horizon,        ///< a light on the horizon of a floor: a part of it is below
         lowLight,       ///< viewers on the side of a low light, where R.V is below 0: no highlight
         nearLight,      ///< a plane just before the light hides it from all points
         pureColours,    ///< lights, or surfaces, each of which has one channel alone

@@ -7,10 +7,12 @@
 namespace ticker::tasks {
 namespace {
 
-/// Points with a light 0.1 above their floor, seen along the mirrored direction.
+/// Points with a light 0.1 above their floor, or so high, seen along the mirrored direction.
 class Horizon {
 public:
-    Horizon() { made_.ask(ShadowQuestion::Purpose::horizon, {{4.0, 0.1, 0.0}}); }
+    explicit Horizon(double height = 0.1) {
+        made_.ask(ShadowQuestion::Purpose::horizon, {{4.0, height, 0.0}});
+    }
 
     /// A point with this many rays above and below the horizon, and this share of the light.
     Horizon& add(int above, int below, double share) {
@@ -20,6 +22,22 @@ public:
             made_.cast({4.0, 0.11 + 0.01 * i, 0.0});
         for (int i = 0; i < below; ++i)
             made_.cast({4.0, -0.11 - 0.01 * i, 0.0}).toLight = Sight::blocked;
+        return light(share);
+    }
+    /// Likewise, but rays start on the floor. Those that meet it there are cast again from above
+    /// it: it is unsure what each ray does. Where none does, those below the horizon arrive.
+    Horizon& addFromFloor(int above, int below, bool meetsFloor) {
+        const double share = above / (1.0 * above + below);
+        add(above, meetsFloor ? 2 * below : below, meetsFloor ? share : 1.0);
+        for (AimLine& line : made_.last().points.back().lines[0])
+            if (meetsFloor || line.toLight == Sight::blocked) line.toLight = Sight::unsure;
+        return *this;
+    }
+    /// Likewise, but a ball blocks some of the rays above the horizon.
+    Horizon& addBehindBall(int open, int hidden, int below, double share) {
+        add(open, below, 0.0);
+        for (int i = 0; i < hidden; ++i)
+            made_.cast({4.0, 0.31 + 0.01 * i, 0.0}).toLight = Sight::blocked;
         return light(share);
     }
     /// Likewise, but the other rays go to aims on the horizon, in the plane of the floor: `before`
@@ -37,6 +55,12 @@ public:
         PointLog& point = made_.last().points.back();
         point.colour = ambientPart(point, made_.last().scene()) +
                        unshadowed(point, made_.last().scene(), 0, false) * share;
+        return *this;
+    }
+    /// The last point is darker by this than it was.
+    Horizon& darken(double difference) {
+        ColourRGB& colour = made_.last().points.back().colour;
+        colour = colour - ColourRGB{difference};
         return *this;
     }
     [[nodiscard]] std::optional<Finding> judge(std::size_t distinct = 2000,
@@ -63,6 +87,34 @@ TEST(CheckHorizon, FindsAShareOfTheRaysThatAreLeft) {
     ASSERT_EQ(idOf(left), "shadow.wrong");
     EXPECT_NE(left->message.find("6 of 10 rays are above it"), std::string::npos) << left->message;
     EXPECT_FALSE(Horizon{}.add(8, 0, 1.0).add(6, 0, 0.6).judge()) << "not everywhere";
+}
+
+TEST(CheckHorizon, FindsAShareOfTheRaysAboveThoughAllAreCast) {
+    const auto left =
+        Horizon{}.addBehindBall(2, 4, 4, 2.0 / 6.0).addBehindBall(3, 4, 3, 3.0 / 7.0).judge();
+    ASSERT_EQ(idOf(left), "shadow.wrong");
+    EXPECT_NE(left->message.find("6 of 10 rays are above it and 2 arrive, there is 2/6"),
+              std::string::npos)
+        << left->message;
+    EXPECT_FALSE(Horizon{}.addBehindBall(2, 4, 4, 0.2).addBehindBall(3, 4, 3, 0.3).judge());
+    EXPECT_FALSE(Horizon{}.addBehindBall(2, 4, 4, 0.6).addBehindBall(3, 4, 3, 0.6).judge())
+        << "hits on the floor that they leave are ignored";
+    EXPECT_FALSE(Horizon{}.add(6, 4, 1.0).add(7, 3, 1.0).judge()) << "likewise, without a ball";
+}
+
+// Rays that start on the floor itself hit it there or do not, as rounding of the point decides.
+TEST(CheckHorizon, SaysNothingAboutRaysWhoseFloorRoundingDecides) {
+    Horizon fromFloor;
+    for (int i = 0; i < 20; ++i)
+        fromFloor.addFromFloor(4, 6, i % 2 == 0);
+    EXPECT_FALSE(fromFloor.judge());
+}
+
+TEST(CheckHorizon, FindsALightThatTakesAway) {
+    EXPECT_FALSE(Horizon{-0.1}.add(2, 8, 0.0).judge());
+    const auto darker = Horizon{-0.1}.add(2, 8, 0.0).darken(0.01).judge();
+    ASSERT_EQ(idOf(darker), "shadow.wrong");
+    EXPECT_NE(darker->hint.find("max(0.0, N.dot(L))"), std::string::npos) << darker->hint;
 }
 
 TEST(CheckHorizon, FindsAimsThatAllLieAbove) {

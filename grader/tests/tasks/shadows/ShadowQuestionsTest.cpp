@@ -266,11 +266,39 @@ TEST(ShadowQuestions, OfObjectsInLineHaveTwoBeforeTheLightBetweenTwoBehindIt) {
 }
 
 TEST(ShadowQuestions, OfTheHorizonHaveAPartOfTheLightBelowTheFloor) {
-    forEach(Purpose::horizon, [](const ShadowQuestion& question) {
+    bool isSunken = false;
+    forEach(Purpose::horizon, [&](const ShadowQuestion& question) {
+        const double size = question.question.settings.lightSize;
         for (const probe::LitPoint& point : question.question.points) {
             const double height = (lightOf(question) - point.position).dot(point.normal);
-            EXPECT_GE(height, 0.15 * question.question.settings.lightSize);
-            EXPECT_LE(height, 0.25 * question.question.settings.lightSize + 1e-9);
+            EXPECT_GE(std::abs(height), 0.15 * size - 1e-9);
+            EXPECT_LE(std::abs(height), 0.25 * size + 1e-9);
+            if (height < 0.0) isSunken = true;
+        }
+    });
+    EXPECT_TRUE(isSunken);
+}
+
+// Rays to the light's lower edge above the floor arrive, rays to its upper edge meet the ball.
+TEST(ShadowQuestions, OfTheHorizonBehindABallShowAStripOfTheLight) {
+    forEach(Purpose::horizon, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        if (scene.spheres.empty()) return;
+        const Surfaces surfaces{scene};
+        for (const probe::LitPoint& point : question.question.points) {
+            ASSERT_EQ(point.object, 1);
+            const Vector3 start = rayStart(point.position, point.normal);
+            const Vector3 light = lightOf(question);
+            const double height = (light - point.position).dot(point.normal);
+            const auto sightAt = [&](double above) {
+                const Vector3 towards = light + point.normal * (above - height) - start;
+                const double reach = towards.magnitude();
+                return surfaces.sightAlong(start, towards / reach, reach);
+            };
+            const double size = question.question.settings.lightSize;
+            EXPECT_EQ(sightAt(0.1 * size), Sight::open);
+            EXPECT_EQ(sightAt(0.9 * (height + size)), Sight::blocked);
+            EXPECT_EQ(sightAt(-0.1 * size), Sight::blocked);
         }
     });
 }
