@@ -93,8 +93,8 @@ bool countsEvery(const ShadowLog& log, Sight below) {
     });
 }
 
-// Whether it is sure of every ray below the horizon that the floor blocks it. It is not if rays
-// start on the floor itself: rounding decides then whether they hit it.
+// Whether the floor surely blocks every ray below the horizon. Where rays start on the floor
+// itself, rounding decides whether they hit it.
 bool isSureBelow(const ShadowLog& log) {
     return std::ranges::all_of(log.points, [](const PointLog& point) {
         return std::ranges::none_of(point.lines[0], [&](const AimLine& line) {
@@ -176,7 +176,7 @@ bool isDarkened(const PointLog& point, const ShadowLog& log) {
     return point.colour.r < least.r || point.colour.g < least.g || point.colour.b < least.b;
 }
 
-// Whether light is taken away: with no accepted reading is a point darker than its ambient light.
+// Whether the light makes a point darker than its ambient light, which no accepted reading does.
 std::optional<Finding> checkDarkened(const ShadowLog& log) {
     if (std::ranges::none_of(log.points,
                              [&](const PointLog& point) { return isDarkened(point, log); }))
