@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
 
+#include <chrono>
+#include <future>
 #include <string>
 #include <thread>
 #include <vector>
@@ -159,6 +161,20 @@ TEST_F(ViewServerTest, AnswersNobodyOnceItIsStopped) {
     server_.stop();
     serving_.join();
     EXPECT_FALSE(httplib::Client{origin()}.Get(root()));
+}
+
+// Who presses Ctrl-C at once asks for the end before the server runs.
+TEST(ViewServerAtItsBeginning, EndsIfItIsStoppedBeforeItServes) {
+    const FakeKit kit{FakeKit::kEcho};
+    Studio studio{kit.home(),
+                  parseOptions(std::vector<std::string>{
+                      "--view", (kit.home().scenes / "room.xml").string(), "--bounces", "5"})};
+    ViewServer server{studio};
+    server.stop();
+    std::future<void> served = std::async(std::launch::async, [&] { server.serve(); });
+    EXPECT_EQ(served.wait_for(std::chrono::seconds{20}), std::future_status::ready);
+    server.stop();
+    studio.board().close();
 }
 
 }  // namespace

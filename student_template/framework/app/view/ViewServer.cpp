@@ -8,8 +8,11 @@
 
 #include <httplib.h>
 
+#include <atomic>
+#include <chrono>
 #include <map>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace raytracer::view {
@@ -71,8 +74,18 @@ public:
     [[nodiscard]] std::string address() const {
         return std::string{"http://"} + kHost + ":" + std::to_string(port_) + "/" + token_ + "/";
     }
-    void serve() { http_.listen_after_bind(); }
-    void stop() { http_.stop(); }
+    void serve() {
+        isServing_ = true;
+        if (!isStopped_) http_.listen_after_bind();
+        isServing_ = false;
+    }
+    // The library ignores `stop` until it runs.
+    void stop() {
+        isStopped_ = true;
+        while (isServing_ && !http_.is_running())
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        http_.stop();
+    }
 
 private:
     [[nodiscard]] bool isLetIn(const httplib::Request& request) const {
@@ -139,6 +152,8 @@ private:
     std::string token_ = freshToken();
     int port_ = 0;
     httplib::Server http_;
+    std::atomic<bool> isServing_{false};
+    std::atomic<bool> isStopped_{false};
 };
 
 ViewServer::ViewServer(Studio& studio) : routes_(std::make_unique<Routes>(studio)) {}

@@ -18,7 +18,7 @@ public:
 
     /// "http://127.0.0.1:8123/<token>/"
     [[nodiscard]] std::string address() const;
-    /// Answers requests until `stop`, which another thread may call.
+    /// Answers requests until `stop`, which another thread may call, also before this.
     void serve();
     void stop();
 
