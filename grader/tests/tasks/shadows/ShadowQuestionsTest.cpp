@@ -281,9 +281,11 @@ TEST(ShadowQuestions, OfTheHorizonHaveAPartOfTheLightBelowTheFloor) {
 
 // Rays to the light's lower edge above the floor arrive, rays to its upper edge meet the ball.
 TEST(ShadowQuestions, OfTheHorizonBehindABallShowAStripOfTheLight) {
-    forEach(Purpose::horizon, [](const ShadowQuestion& question) {
+    bool hasBall = false;
+    forEach(Purpose::horizon, [&](const ShadowQuestion& question) {
         const auto& scene = question.question.scene;
         if (scene.spheres.empty()) return;
+        hasBall = true;
         const Surfaces surfaces{scene};
         for (const probe::LitPoint& point : question.question.points) {
             ASSERT_EQ(point.object, 1);
@@ -301,6 +303,7 @@ TEST(ShadowQuestions, OfTheHorizonBehindABallShowAStripOfTheLight) {
             EXPECT_EQ(sightAt(-0.1 * size), Sight::blocked);
         }
     });
+    EXPECT_TRUE(hasBall);
 }
 
 TEST(ShadowQuestions, OfALowLightHaveViewersThatSeeNoHighlight) {
