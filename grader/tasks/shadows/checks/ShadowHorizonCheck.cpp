@@ -32,6 +32,11 @@ bool isLevel(const AimLine& line, const PointLog& point) {
     return slope > -kLevel && slope < kSinglePrecision;
 }
 
+bool hasLevel(const PointLog& point) {
+    return std::ranges::any_of(point.lines[0],
+                               [&](const AimLine& line) { return isLevel(line, point); });
+}
+
 bool isBelow(const AimLine& line, const PointLog& point) {
     return slopeOf(line, point) <= -kLevel;
 }
@@ -112,7 +117,8 @@ struct ShareAbove {
 
 // The clearest example of a point whose light is the share of the rays above the horizon alone,
 // whether the others were cast or not. None if some point does not have that share, or if every ray
-// may count after all.
+// may count after all. A point with a level ray may have another share: that ray may arrive, and be
+// left out of the divisor alone.
 std::optional<ShareAbove> leftOut(const ShadowLog& log, const ShadowReading& reading) {
     if (reading.terms != ShadowReading::Terms::together || !isSureBelow(log)) return std::nullopt;
     std::optional<ShareAbove> clearest;
@@ -121,7 +127,10 @@ std::optional<ShareAbove> leftOut(const ShadowLog& log, const ShadowReading& rea
         const ShareAbove share{seen.lines[0].size(), openOf(seen),
                                std::max(askedOf(log), point.lines[0].size())};
         if (share.above == share.all || share.arrived == 0) continue;
-        if (!isRight(seen, log, reading)) return std::nullopt;
+        if (!isRight(seen, log, reading)) {
+            if (hasLevel(seen)) continue;
+            return std::nullopt;
+        }
         if (isRight(filledUp(seen, share.all), log, reading)) continue;
         if (!clearest || share.above < clearest->above) clearest = share;
     }

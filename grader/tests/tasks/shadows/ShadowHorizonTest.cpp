@@ -142,6 +142,20 @@ TEST(CheckHorizon, LetsNoAimNextToTheHorizonHideWhatTheOthersShow) {
     EXPECT_FALSE(Horizon{}.addLevel(6, 1, 0, 0.7).addLevel(6, 1, 0, 0.6).judge()) << "spared";
 }
 
+// An aim a little below the horizon arrives where the ray starts a little above the surface. Code
+// that leaves it out of the divisor alone gives that point more light than any share of its rays.
+TEST(CheckHorizon, LetsNoAimThatIsLeftOutOfTheDivisorAloneHideWhatTheOthersShow) {
+    Horizon left;
+    left.addBehindBall(2, 4, 4, 2.0 / 6.0).addLevel(6, 0, 1, 7.0 / 6.0);
+    EXPECT_EQ(idOf(left.judge()), "shadow.wrong");
+    Horizon levelFirst;
+    levelFirst.addLevel(6, 0, 1, 7.0 / 6.0).addBehindBall(2, 4, 4, 2.0 / 6.0);
+    EXPECT_EQ(idOf(levelFirst.judge()), "shadow.wrong");
+    EXPECT_FALSE(Horizon{}.addLevel(6, 0, 1, 7.0 / 6.0).judge()) << "no other point";
+    EXPECT_FALSE(Horizon{}.addBehindBall(2, 4, 4, 0.2).addLevel(6, 0, 1, 0.7).judge())
+        << "every ray counts";
+}
+
 // The floor is as far as the aim, so that rounding decides which of these rays arrive.
 TEST(CheckHorizon, FindsAimsThatAreMovedOntoTheHorizon) {
     Horizon moved;
