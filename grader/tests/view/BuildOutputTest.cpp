@@ -73,7 +73,7 @@ TEST(BuildOutput, TellsTheFirstFailingTestOfTheTasksInTheFile) {
 
 TEST(BuildOutput, TellsWhichTaskEndedTooEarly) {
     TestReader reader{{}};
-    reader.addEarlyEnd("T1", "what it wrote\n");
+    reader.addEarlyEnd("T1", "ended too early", "what it wrote\n");
     reader.add("NOT YET: T2.1 Shadows are soft\n  expected: a share\n\n");
     EXPECT_TRUE(reader.outcome().hasFailed);
     EXPECT_EQ(reader.outcome().title, "T1 ended too early");

@@ -1,4 +1,5 @@
 #include <grader/tests/support/TemporaryFolder.h>
+#include <student_template/framework/app/view/Guard.h>
 #include <student_template/framework/app/view/Lines.h>
 #include <student_template/framework/app/view/process/Process.h>
 
@@ -73,6 +74,19 @@ TEST(ViewProcess, EndsWhatItStartedAlsoInGroupsOfTheirOwn) {
     process.kill();
     static_cast<void>(process.wait());
     expectGone(compiler);
+}
+
+TEST(ViewProcess, EndsNoProcessWhoseNumberWasCut) {
+    const auto numbersIn = [](const char* list) {
+        std::vector<long> numbers;
+        for (long one = takeWholeNumber(list); one >= 0; one = takeWholeNumber(list))
+            numbers.push_back(one);
+        return numbers;
+    };
+    EXPECT_EQ(numbersIn("12 1234567 "), (std::vector<long>{12, 1234567}));
+    EXPECT_EQ(numbersIn("12 345"), std::vector<long>{12});  // the beginning of 345678
+    EXPECT_EQ(numbersIn("123"), std::vector<long>{});
+    EXPECT_EQ(numbersIn(""), std::vector<long>{});
 }
 
 TEST(ViewProcess, EndsWithTheProgramThatIsKilled) {

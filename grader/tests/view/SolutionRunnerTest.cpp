@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <string>
 #include <thread>
@@ -16,8 +17,12 @@ namespace {
 constexpr const char* kNoEnd =
     "Your code does not come to an end: look for a loop whose condition never becomes false.";
 
+constexpr const char* kNotStarted =
+    "The program could not be started: it is being built, or is missing. "
+    "Ask again when the build is done.";
+
 // A solution that takes every question and answers none.
-constexpr const char* kSilent = "exec cat > /dev/null";
+constexpr const char* kSilent = "exec tail -f /dev/null";
 
 SolutionRunner::Listener deaf() {
     return {[](int, const std::string&) {}, [](const std::string&) {}};
@@ -43,6 +48,19 @@ TEST(SolutionRunner, CallsACrashByItsNameOnEverySystem) {
     EXPECT_EQ(endInWords(3), "Your code ended the program with the status 3.");
     EXPECT_NE(endInWords(139).find("Your code crashed (signal 11)."), std::string::npos);
     EXPECT_NE(endInWords(-1073741819).find("Your code crashed."), std::string::npos);
+}
+
+TEST(SolutionRunner, CallsAMissingProgramNoCrash) {
+    const FakeKit kit;
+    std::filesystem::remove(kit.home().program);
+    std::vector<std::string> troubles;
+    {
+        SolutionRunner runner{kit.home().program, troubleIn(troubles)};
+        const SolutionRunner::Answer answer = runner.ask("pixel", {});
+        EXPECT_FALSE(answer.isGood);
+        EXPECT_EQ(answer.payload, kNotStarted);
+    }
+    EXPECT_EQ(troubles, std::vector<std::string>{kNotStarted});
 }
 
 TEST(SolutionRunner, SaysThatTheSolutionCrashedAndStartsItAgain) {
@@ -93,7 +111,7 @@ TEST(SolutionRunner, EndsASolutionThatBeginsNoPicture) {
 }
 
 TEST(SolutionRunner, WaitsNoLongerForAPictureOnceAPartIsThere) {
-    const FakeKit kit{"read -r line; printf 'part 1 3\\nrgb'; exec cat > /dev/null"};
+    const FakeKit kit{"read -r line; printf 'part 1 3\\nrgb'; exec tail -f /dev/null"};
     std::promise<std::string> part;
     std::vector<std::string> troubles;
     SolutionRunner::Listener listener = troubleIn(troubles);
@@ -104,11 +122,23 @@ TEST(SolutionRunner, WaitsNoLongerForAPictureOnceAPartIsThere) {
     runner.render(1, {});
     EXPECT_EQ(part.get_future().get(), "1rgb");
     runner.look();
+    EXPECT_EQ(troubles, std::vector<std::string>{});
+}
+
+TEST(SolutionRunner, LeavesOutTheTroubleOfAnEarlierPicture) {
+    const FakeKit kit{
+        "read -r line; read -r line; read -r line; printf 'failed 1 3\\nold'\n"
+        "printf 'drawing 1000001 2\\n{}'; exec tail -f /dev/null"};
+    std::vector<std::string> troubles;
+    SolutionRunner runner{kit.home().program, troubleIn(troubles)};
+    runner.render(1, {});
+    runner.render(2, {});
+    EXPECT_EQ(runner.ask("pixel", {}).payload, "{}");
     EXPECT_TRUE(troubles.empty());
 }
 
 TEST(SolutionRunner, AsksToAskAgainWhereABuildCameBetween) {
-    const FakeKit kit{"read -r line; printf 'part 1 0\\n'; exec cat > /dev/null"};
+    const FakeKit kit{"read -r line; printf 'part 1 0\\n'; exec tail -f /dev/null"};
     std::promise<void> isAsked;
     std::vector<std::string> troubles;
     SolutionRunner::Listener listener = troubleIn(troubles);

@@ -108,7 +108,7 @@ TEST(Studio, LeavesOutAPartWithoutItsPlace) {
     const std::string place = "3 4 640 480 160 120 0 1.5 1 of 4 rays\n";
     FakeKit kit{"read -r line\n" + printPart("0 0 1 1\nrgb") + printPart("no place") +
                 printPart("0 0 640 480 160 120 0 0 1 of 4 rays") + printPart(place + "rgb") +
-                "exec cat > /dev/null"};
+                "exec tail -f /dev/null"};
     Studio studio{kit.home(), optionsOf(kit, "room.xml")};
     const Json all =
         waitFor(studio.board(), [](const Json& news) { return !news["pieces"].empty(); });
@@ -152,7 +152,7 @@ void saveAndSeeRefused(const FakeKit& kit, Studio& studio, const std::string& te
 }
 
 TEST(Studio, GoesOnWithAPictureThatASaveInterrupted) {
-    FakeKit kit{"exec cat > /dev/null"};
+    FakeKit kit{"exec tail -f /dev/null"};
     refuseAllFiles(kit);
     Studio studio{kit.home(), optionsOf(kit, "room.xml")};
     saveAndSeeRefused(kit, studio, "first");
@@ -163,7 +163,7 @@ TEST(Studio, GoesOnWithAPictureThatASaveInterrupted) {
 }
 
 TEST(Studio, RendersNoWholePictureAgainAfterASaveThatDoesNotCompile) {
-    FakeKit kit{"read -r line\n" + printPart("0 0 1 1 1 1 1 0 \nrgb") + "exec cat > /dev/null"};
+    FakeKit kit{"read -r line\n" + printPart("0 0 1 1 1 1 1 0 \nrgb") + "exec tail -f /dev/null"};
     refuseAllFiles(kit);
     Studio studio{kit.home(), optionsOf(kit, "room.xml")};
     EXPECT_FALSE(waitFor(studio.board(), [](const Json& news) {

@@ -88,6 +88,8 @@ TEST_F(ViewServerTest, GivesThePageToWhoKnowsTheToken) {
     EXPECT_EQ(get("view.css").body, viewCss());
     EXPECT_EQ(get("view.css").get_header_value("Content-Type"), "text/css; charset=utf-8");
     EXPECT_EQ(get("view.js").body, viewJs());
+    for (const char* words : {"stopped: `The build", "stopped: `Your code is built", "unbuilt: "})
+        EXPECT_NE(viewJs().find(words), std::string::npos) << words;
     EXPECT_EQ(get("no-such-file").status, 404);
 }
 

@@ -177,9 +177,24 @@ TEST(Workshop, TellsWhereTheTestsDoNotCompile) {
                "case $4 in tests) echo 'T.cpp:3:1: error: no such function'; exit 1;; esac");
     Board board;
     const Workshop workshop{kit.home(), board, nobody()};
-    const Json build = failedBuildOf(board);
-    EXPECT_EQ(build["message"], "no such function");
-    EXPECT_EQ(build["source"], "");  // there is no such file
+    const Json tests = testsOf(board);
+    ASSERT_FALSE(tests.is_null());
+    EXPECT_EQ(tests["state"], "unbuilt");
+    EXPECT_EQ(tests["message"], "no such function");
+    EXPECT_EQ(tests["source"], "");  // there is no such file
+    EXPECT_EQ(Json::parse(board.newsAfter(0))["build"]["state"], "built");
+}
+
+TEST(Workshop, ForgetsTheTestsOfCodeThatNoLongerCompiles) {
+    FakeKit kit;
+    Board board;
+    Workshop workshop{kit.home(), board, nobody()};
+    EXPECT_EQ(testsOf(board)["state"], "passed");
+    kit.script("cmake", "exit 1");
+    kit.write("exercise/Renderer.cpp", "int saved");
+    workshop.look();
+    EXPECT_EQ(failedBuildOf(board)["state"], "failed");
+    EXPECT_EQ(Json::parse(board.newsAfter(0))["tests"]["state"], "unasked");
 }
 
 TEST(Workshop, SaysThatThereAreNoTests) {

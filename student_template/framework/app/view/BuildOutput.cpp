@@ -89,8 +89,9 @@ void TestReader::readLine() {
     }
 }
 
-void TestReader::addEarlyEnd(const std::string& task, std::string_view output) {
-    const std::string words = task + " ended too early";
+void TestReader::addEarlyEnd(const std::string& task, std::string_view how,
+                             std::string_view output) {
+    const std::string words = task + " " + std::string{how};
     outcome_.summary += words + "\n";
     if (!outcome_.hasFailed) outcome_ = {true, words, std::string{output}, outcome_.summary};
 }

@@ -35,8 +35,10 @@ public:
     explicit TestReader(std::set<std::string> tasks) : tasks_(std::move(tasks)) {}
 
     void add(std::string_view bytes);
-    /// A task's tests ended before all were asked. @param output  What they wrote last.
-    void addEarlyEnd(const std::string& task, std::string_view output);
+    /// A task's tests ended before all were asked.
+    /// @param how  Words that follow the task: "ended too early". @param output  What they wrote
+    ///             last.
+    void addEarlyEnd(const std::string& task, std::string_view how, std::string_view output);
     [[nodiscard]] const TestOutcome& outcome() const { return outcome_; }
 
 private:

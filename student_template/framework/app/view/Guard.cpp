@@ -55,13 +55,9 @@ void endOrphans() {
         const ssize_t size = file < 0 ? 0 : ::read(file, list.data(), list.size() - 1);
         if (file >= 0) close(file);
         if (size <= 0) return;
-        for (const char* at = list.data(); *at != '\0';) {
-            char* end = nullptr;
-            const long child = std::strtol(at, &end, 10);
-            if (end == at) break;
+        const char* at = list.data();
+        for (long child = takeWholeNumber(at); child >= 0; child = takeWholeNumber(at))
             if (child > 1) ::kill(static_cast<pid_t>(child), SIGKILL);
-            at = end;
-        }
         poll(nullptr, 0, 2);
     }
 #endif
@@ -94,6 +90,14 @@ void endOrphans() {
 }
 
 }  // namespace
+
+long takeWholeNumber(const char*& list) {
+    char* end = nullptr;
+    const long number = std::strtol(list, &end, 10);
+    if (end == list || *end != ' ') return -1;
+    list = end + 1;
+    return number;
+}
 
 void closeFrom(int first) {
 #ifdef SYS_close_range

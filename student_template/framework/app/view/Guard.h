@@ -2,12 +2,13 @@
 #define RAYTRACER_APP_VIEW_GUARD_H
 
 #ifndef _WIN32
+#include "process/Process.h"
+
 #include <array>
 #include <csignal>
 
 namespace raytracer::view {
 
-inline constexpr int kNotFound = 127;  ///< status of a program that cannot be started
 inline constexpr int kKilled = 128 + SIGKILL;
 
 /// Call in a process that was just forked. Puts the pipes in place, starts the program and guards
@@ -15,6 +16,10 @@ inline constexpr int kKilled = 128 + SIGKILL;
 /// that the program started.
 /// @param ends  Ends of pipes: stdin, stdout and stderr of the program, and the lifeline.
 [[noreturn]] void becomeGuard(char* const* command, const std::array<int, 4>& ends);
+
+/// Takes the next number off a list, "12 345 ", as the system writes one: a blank follows each.
+/// @return -1 at the end, and at a number without its blank: a buffer that was too small cut it.
+[[nodiscard]] long takeWholeNumber(const char*& list);
 
 /// Closes this file and all after it.
 void closeFrom(int first);

@@ -16,9 +16,14 @@ constexpr const char* kNoEnd =
     "Your code does not come to an end: look for a loop whose condition "
     "never becomes false.";
 
+constexpr const char* kNotStarted =
+    "The program could not be started: it is being built, or is missing. "
+    "Ask again when the build is done.";
+
 }  // namespace
 
 std::string endInWords(int status) {
+    if (status == kNotFound) return kNotStarted;
     if (status >= 0 && status <= kSignalled)
         return "Your code ended the program with the status " + std::to_string(status) + ".";
     const std::string signal =
@@ -37,11 +42,11 @@ SolutionRunner::~SolutionRunner() {
 void SolutionRunner::render(int number, const std::vector<std::string>& options) {
     const std::lock_guard lock{starting_};
     if (number < lastPicture_) return;  // another thread was faster
-    lastPicture_ = number;
     start();
     {
         const std::lock_guard waiting{mutex_};
         waitingSince_ = Clock::now();
+        lastPicture_ = number;
     }
     send("picture", number, options);
 }
@@ -66,10 +71,12 @@ SolutionRunner::Answer SolutionRunner::ask(const std::string& verb,
     answers_.erase(number);
     const bool isStuck = !answer && isRunning_;
     const bool wasEnded = isStopping_;
+    const bool wasStarted = lastStatus_ != kNotFound;
     lock.unlock();
     if (isStuck) restart();
     if (answer) return *answer;
     if (isStuck) return {false, kNoEnd};
+    if (!wasEnded && !wasStarted) return {false, kNotStarted};
     return {false, wasEnded ? "Your code was just built again: ask once more."
                             : "Your code crashed at this question."};
 }
@@ -146,6 +153,7 @@ void SolutionRunner::hear(const std::string& kind, int number, const std::string
             answered_.notify_all();
             return;
         }
+        if (number < lastPicture_) return;  // of an earlier picture
         waitingSince_.reset();
     }
     if (kind == "part") listener_.onPart(number, payload);
@@ -157,6 +165,7 @@ void SolutionRunner::tellOfEnd(int status) {
     {
         const std::lock_guard lock{mutex_};
         isRunning_ = false;
+        lastStatus_ = status;
         isUnexpected = !isStopping_;
         waitingSince_.reset();
         answered_.notify_all();

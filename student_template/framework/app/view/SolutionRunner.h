@@ -68,12 +68,13 @@ private:
     std::mutex starting_;  // taken before mutex_
     std::unique_ptr<Process> process_;
     std::thread reader_;
-    int lastPicture_ = 0;
+    int lastPicture_ = 0;  // written under both mutexes
     std::mutex mutex_;
     std::condition_variable answered_;
     std::map<int, std::optional<Answer>> answers_;
     int lastQuestion_ = 1'000'000;  // pictures have smaller numbers
     bool isRunning_ = false;
+    int lastStatus_ = 0;  // of the process that has ended last
     bool isStopping_ = false;
     std::optional<Clock::time_point> waitingSince_;
 };

@@ -62,7 +62,7 @@ private:
     int pictures_ = 0;
     int builds_ = 0;
     bool isWhole_ = false;   // all of the newest picture is there
-    bool isPaused_ = false;  // it was given up
+    bool isPaused_ = false;  // `pause` stopped the newest picture
     SolutionRunner runner_;
     Workshop workshop_;
     std::atomic<bool> isEnding_{false};

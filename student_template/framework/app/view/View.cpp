@@ -92,7 +92,8 @@ ExitCode run(const Options& options) {
     refuseOthers(options);
     Options chosen = options;
     chosen.scene = sceneOf(options);
-    static_cast<void>(readScene(chosen.scene, assetsOf(chosen)));  // to complain at once
+    // Reports an unreadable scene before a browser opens.
+    static_cast<void>(readScene(chosen.scene, assetsOf(chosen)));
     for (const int signal : {SIGINT, SIGTERM})
         std::signal(signal, askToEnd);
 #ifdef SIGHUP

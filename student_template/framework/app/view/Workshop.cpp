@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds kLongestRun{120};
 constexpr std::size_t kMostOutput = 20'000;  // shown
 constexpr std::size_t kMostKept = 10 * kMostOutput;
 constexpr int kMostLooksWithoutAFile = 20;  // a second
+constexpr std::string_view kEndless = "was stopped after 2 minutes: look for a loop without end";
 
 /// The first error is near the beginning, a crash at the end.
 void keep(std::string& output, std::string_view bytes) {
@@ -47,8 +47,13 @@ Members state(std::string_view name) {
 
 }  // namespace
 
-Workshop::Workshop(const ViewHome& home, Board& board, Listener listener)
-    : home_(home), board_(board), listener_(std::move(listener)), seen_(stamps()) {
+Workshop::Workshop(const ViewHome& home, Board& board, Listener listener,
+                   std::chrono::milliseconds patience)
+    : home_(home),
+      board_(board),
+      listener_(std::move(listener)),
+      patience_(patience),
+      seen_(stamps()) {
     thread_ = std::thread{[this] { work(); }};
 }
 
@@ -76,7 +81,10 @@ std::map<fs::path, Workshop::Stamp> Workshop::stamps() const {
 void Workshop::look() {
     const std::map<fs::path, Stamp> now = stamps();
     const std::lock_guard lock{mutex_};
-    if (running_ != nullptr && Clock::now() > deadline_) running_->kill();
+    if (running_ != nullptr && Clock::now() > deadline_) {
+        isTooLate_ = true;
+        running_->kill();
+    }
     // Editors that save by renaming leave a moment without the file.
     looksWithoutAFile_ = now.size() < seen_.size() ? looksWithoutAFile_ + 1 : 0;
     const bool isAMoment = looksWithoutAFile_ > 0 && looksWithoutAFile_ < kMostLooksWithoutAFile;
@@ -117,7 +125,8 @@ void Workshop::buildAndTest(const std::set<std::string>& tasks) {
     const Outcome built = build(home_.target);
     if (isOver()) return;
     if (built.status != 0) {
-        tellOfErrors(built.output);
+        board_.set("tests", state("unasked").object());
+        tellOfFailure("build", "failed", built);
         return listener_.onUnchanged();
     }
     board_.set("build", state("built").object());
@@ -149,7 +158,8 @@ Workshop::Outcome Workshop::run(const std::vector<std::string>& command,
     {
         const std::lock_guard lock{mutex_};
         running_ = &process;
-        deadline_ = Clock::now() + kLongestRun;
+        deadline_ = Clock::now() + patience_;
+        isTooLate_ = false;
         if (isAsked_ || isEnding_) process.kill();
     }
     Outcome outcome;
@@ -161,12 +171,15 @@ Workshop::Outcome Workshop::run(const std::vector<std::string>& command,
     outcome.status = process.wait();
     const std::lock_guard lock{mutex_};
     running_ = nullptr;
+    outcome.isStopped = isTooLate_ && outcome.status != 0;
     return outcome;
 }
 
-void Workshop::tellOfErrors(const std::string& output) {
-    Members members = state("failed");
-    const auto error = firstErrorIn(output);
+void Workshop::tellOfFailure(const std::string& entry, std::string_view failed,
+                             const Outcome& built) {
+    if (built.isStopped) return board_.set(entry, state("stopped").object());
+    Members members = state(failed);
+    const auto error = firstErrorIn(built.output);
     if (error) {
         const fs::path file{error->file};
         members.add("file", json(file.filename().string()))
@@ -175,7 +188,7 @@ void Workshop::tellOfErrors(const std::string& output) {
             .add("source",
                  json(lineOf(file.is_absolute() ? file : home_.build / file, error->line)));
     }
-    board_.set("build", members.add("all", json(output.substr(0, kMostOutput))).object());
+    board_.set(entry, members.add("all", json(built.output.substr(0, kMostOutput))).object());
 }
 
 void Workshop::test(const std::set<std::string>& tasks) {
@@ -183,7 +196,7 @@ void Workshop::test(const std::set<std::string>& tasks) {
     board_.set("tests", state("running").object());
     const Outcome built = build(home_.testTarget);
     if (isOver()) return;
-    if (built.status != 0) return tellOfErrors(built.output);
+    if (built.status != 0) return tellOfFailure("tests", "unbuilt", built);
     const TestOutcome outcome = ask(tasks);
     if (isOver()) return;
     Members members = state(outcome.hasFailed ? "failed" : "passed");
@@ -203,7 +216,9 @@ TestOutcome Workshop::ask(const std::set<std::string>& tasks) {
         reader.add("\n\n");  // ends what was cut off
         // 1: a test failed, and said so.
         const bool isWhole = ran.status == 0 || (ran.status == 1 && reader.outcome().hasFailed);
-        if (!isWhole) reader.addEarlyEnd(task, endOf(ran.output));
+        if (!isWhole)
+            reader.addEarlyEnd(task, ran.isStopped ? kEndless : "ended too early",
+                               endOf(ran.output));
     }
     return reader.outcome();
 }

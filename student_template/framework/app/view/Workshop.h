@@ -30,10 +30,12 @@ public:
     struct Listener {
         std::function<void()> onSaved;      ///< a build is about to begin
         std::function<void()> onBuilt;      ///< there is a new program
-        std::function<void()> onUnchanged;  ///< the program is that of before
+        std::function<void()> onUnchanged;  ///< the build failed or linked nothing new
     };
 
-    Workshop(const ViewHome& home, Board& board, Listener listener);
+    /// @param patience  How long a build, or the tests of a task, may take.
+    Workshop(const ViewHome& home, Board& board, Listener listener,
+             std::chrono::milliseconds patience = std::chrono::minutes{2});
     ~Workshop();
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;
@@ -45,10 +47,11 @@ private:
     using Clock = std::chrono::steady_clock;
     using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
-    /// Output and exit status of a command.
+    /// How a command ended.
     struct Outcome {
         std::string output;
         int status = 0;
+        bool isStopped = false;  ///< it took too long
     };
 
     [[nodiscard]] std::map<std::filesystem::path, Stamp> stamps() const;
@@ -64,12 +67,15 @@ private:
     /// Runs the public tests of each task in a process of its own, so that a crash in one task does
     /// not end the others.
     [[nodiscard]] TestOutcome ask(const std::set<std::string>& tasks);
-    void tellOfErrors(const std::string& output);
+    /// Tells that a build failed. @param entry  Of the board. @param failed  Its state where the
+    /// compiler found errors.
+    void tellOfFailure(const std::string& entry, std::string_view failed, const Outcome& built);
     [[nodiscard]] bool isOver();
 
     const ViewHome& home_;
     Board& board_;
     Listener listener_;
+    std::chrono::milliseconds patience_;
     std::map<std::filesystem::path, Stamp> seen_;
     std::mutex mutex_;
     std::condition_variable asked_;
@@ -79,6 +85,7 @@ private:
     bool isEnding_ = false;
     Process* running_ = nullptr;
     Clock::time_point deadline_;
+    bool isTooLate_ = false;  // what runs was stopped at the deadline
     std::thread thread_;
 };
 

@@ -136,14 +136,6 @@ class RayDrawing {
     this.label(name, plus(plus(foot, right, reach), up, -reach), this.ink());
   }
 
-  circle(centre, radius, axis, sides = 40) {
-    const [right, up] = besides(axis);
-    const step = 2 * Math.PI / sides;
-    const points = Array.from({ length: sides + 1 }, (_, i) =>
-      plus(plus(centre, right, radius * Math.cos(i * step)), up, radius * Math.sin(i * step)));
-    return points.slice(1).map((point, i) => [points[i], point]);
-  }
-
   dot(centre, colour) {
     const at = this.orbit.project(centre);
     if (!at) return;
@@ -157,7 +149,7 @@ class RayDrawing {
   ball(centre, radius, faces, ink) {
     const outline = outlineOf(this.orbit.eye, centre, radius);
     if (!outline) return;
-    const lines = this.circle(outline.centre, outline.radius, outline.axis, 90);
+    const lines = circleAt(outline.centre, outline.radius, outline.axis, 90);
     const corners = lines.map(([from]) => this.orbit.project(from));
     if (corners.every(Boolean)) {
       this.pen.beginPath();
@@ -174,8 +166,8 @@ class RayDrawing {
 
   drawSphere({ centre, radius, colour, name }) {
     this.ball(centre, radius, [[this.isDark ? "#2d343d" : "#dfe3e8", 0.75], [colour, 0.3]], this.ink());
-    this.strokeAll([...this.circle(centre, radius, [0, 1, 0]), ...this.circle(centre, radius, [1, 0, 0]),
-      ...this.circle(centre, radius, [0, 0, 1])], this.ink(), 1, [], 0.35);
+    this.strokeAll([...circleAt(centre, radius, [0, 1, 0]), ...circleAt(centre, radius, [1, 0, 0]),
+      ...circleAt(centre, radius, [0, 0, 1])], this.ink(), 1, [], 0.35);
     this.label(name, plus(centre, this.orbit.up, radius), this.ink());
   }
 

@@ -47,6 +47,15 @@ function outlineOf(eye, centre, radius) {
   return share < 1 ? { centre: plus(centre, axis, share), radius: radius * Math.sqrt(1 - share), axis } : null;
 }
 
+/// A circle as lines, [[from, to], ...].
+function circleAt(centre, radius, axis, sides = 40) {
+  const [right, up] = besides(axis);
+  const step = 2 * Math.PI / sides;
+  const points = Array.from({ length: sides + 1 }, (_, i) =>
+    plus(plus(centre, right, radius * Math.cos(i * step)), up, radius * Math.sin(i * step)));
+  return points.slice(1).map((point, i) => [points[i], point]);
+}
+
 class Orbit {
   constructor() { this.target = [0, 0, 4]; this.course = [0, 0, 0]; this.home(); }
 

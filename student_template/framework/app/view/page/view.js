@@ -159,29 +159,6 @@ function showCompare() {
 
 function tell(words) { byId("status").textContent = words; }
 
-function showBuild(build) {
-  const words = { building: "Building ...", built: "Built.", failed: "It does not compile. The picture is that of the last program." };
-  const parts = [element("p", { className: `verdict ${build.state === "failed" ? "bad" : ""}`, textContent: words[build.state] })];
-  if (build.state === "failed") {
-    if (build.message) parts.push(element("p", {}, build.file ? `${build.file}, line ${build.line}: ` : "", build.message));
-    if (build.source) parts.push(element("pre", { textContent: build.source.trim(), tabIndex: 0 }));
-    parts.push(element("details", {}, element("summary", { textContent: "All that the compiler said" }),
-      element("pre", { textContent: build.all, tabIndex: 0 })));
-    byId("tests").replaceChildren();
-  }
-  byId("build").replaceChildren(...parts);
-}
-
-function showTests(tests) {
-  const words = { running: "The public tests run ...", passed: "The public tests:", none: "No public tests: install GoogleTest.",
-    failed: `Not yet: ${tests.title}` };
-  const verdict = element("p", { className: `verdict ${tests.state === "failed" ? "bad" : ""}`, textContent: words[tests.state] });
-  const parts = [verdict];
-  if (tests.text) parts.push(element("pre", { textContent: tests.text.trimEnd(), tabIndex: 0 }));
-  for (const line of (tests.summary || "").split("\n").filter(Boolean)) parts.push(element("p", { textContent: line }));
-  byId("tests").replaceChildren(...parts);
-}
-
 function showPicture(head) {
   const isNewScene = settings && settings.scene !== head.settings.scene;
   picture.begin(head, isNewScene);

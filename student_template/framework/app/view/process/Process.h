@@ -10,6 +10,9 @@
 
 namespace raytracer::view {
 
+/// Status of a program that cannot be started.
+inline constexpr int kNotFound = 127;
+
 /// A program that this one starts. It ends, with everything that it started itself, when this
 /// object is destroyed, and when this program ends, even if it is killed.
 class Process {
@@ -19,7 +22,7 @@ public:
 
     /// @param command  The program, looked up in PATH, and its arguments.
     /// @throws Error if the system gives no process or pipe. A program that cannot be started ends
-    ///         at once with the status 127.
+    ///         at once with the status `kNotFound`.
     Process(const std::vector<std::string>& command, Errors errors);
     ~Process();
     Process(const Process&) = delete;

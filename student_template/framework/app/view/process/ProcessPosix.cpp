@@ -13,7 +13,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
-#include <system_error>
 
 namespace raytracer::view {
 namespace {

@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kKilled = 137;
-constexpr int kNotFound = 127;
 
 /// A command as one line, with the quotation marks that programs take off again.
 std::string lineOf(const std::vector<std::string>& command) {
