@@ -11,7 +11,6 @@
 #include <sys/stat.h>
 
 #include <csignal>
-#include <fstream>
 #include <utility>
 
 namespace ticker::build {
@@ -57,13 +56,7 @@ public:
           kitPath_{kit.folder(), "/kit"},
           sourcePath_{sources_.path(), "/source"} {}
 
-    void writeSource(std::string_view source) const {
-        const fs::path file = sources_.path() / file_;
-        std::ofstream stream{file, std::ios::binary};
-        stream.write(source.data(), static_cast<std::streamsize>(source.size()));
-        if (!stream.flush()) throw raytracer::Error("cannot write " + file.string());
-        fs::permissions(file, fs::perms{0644});
-    }
+    void writeSource(std::string_view source) const { sources_.write(file_, source); }
 
     [[nodiscard]] Attempt compileAndLink(bool precompiled) const {
         sandbox::JobFolder folder;

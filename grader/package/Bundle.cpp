@@ -1,6 +1,7 @@
 #include <grader/package/Bundle.h>
 
 #include <grader/base/Digest.h>
+#include <grader/base/ShellQuoted.h>
 #include <grader/base/WholeFile.h>
 
 #include <raytracer/base/Error.h>
@@ -12,6 +13,7 @@
 
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace ticker::package {
 namespace {
@@ -80,13 +82,18 @@ void addData(zip::ZipWriter& zip, const Parts& parts) {
 std::string quoted(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words)
-        text += fmt::format("{}'{}'", text.empty() ? "" : " ", word);
+        text += (text.empty() ? "" : " ") + shellQuoted(word);
     return text;
 }
 
 /// Returns "12" for "/usr/bin/x86_64-linux-gnu-g++-12": Debian's package names contain it.
 std::string majorVersion(const std::string& compiler) {
-    const std::string real = fs::canonical(compiler).filename().string();
+    std::error_code error;
+    const std::string real = fs::canonical(compiler, error).filename().string();
+    if (error)
+        throw raytracer::InputError(compiler, 0,
+                                    "the compiler of the kit cannot be found: " + error.message() +
+                                        "; install it, or build again with another");
     const std::size_t dash = real.rfind('-');
     const std::string version = dash == std::string::npos ? "" : real.substr(dash + 1);
     if (version.empty() || version.find_first_not_of("0123456789") != std::string::npos)
@@ -134,10 +141,11 @@ std::string integration(const Parts& parts, const std::string& name) {
 }
 
 void addBundle(zip::ZipWriter& zip, const Parts& parts) {
+    const std::string script = prepareScript(parts);  // first: the rest takes seconds
     addProgram(zip, parts);
     addKit(zip, parts);
     addData(zip, parts);
-    zip.add("ticker/prepare.sh", prepareScript(parts), true);
+    zip.add("ticker/prepare.sh", script, true);
 }
 
 }  // namespace ticker::package

@@ -3,12 +3,15 @@
 #include <grader/package/StudentPackage.h>
 #include <grader/zip/ZipWriter.h>
 
+#include <raytracer/base/Error.h>
+
 #include <array>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace ticker::package {
 namespace {
@@ -25,6 +28,20 @@ constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
 // The list of tasks and pictures that ./check works through.
 constexpr std::string_view kDescription = "check.json";
+
+/// The regular files that an iterator of folders gives.
+/// @throws raytracer::InputError if a folder cannot be read.
+template <typename Iterator>
+std::set<fs::path> filesOfFolder(const fs::path& folder) {
+    std::set<fs::path> files;
+    std::error_code error;
+    std::error_code ofFile;
+    for (Iterator at{folder, error}; !error && at != Iterator{}; at.increment(error))
+        if (at->is_regular_file(ofFile)) files.insert(at->path());
+    if (error)
+        throw raytracer::InputError(folder.string(), 0, "cannot be read: " + error.message());
+    return files;
+}
 
 /// Collects the files of a student's package.
 class Package {
@@ -44,7 +61,8 @@ public:
         }
         addHandout();
         // An installation may have its licence in another folder.
-        if (fs::is_regular_file(data_ / "LICENSE"))
+        std::error_code error;
+        if (fs::is_regular_file(data_ / "LICENSE", error))
             zip_.addFile(root_ + "LICENSE", data_ / "LICENSE");
         zip_.finish();
     }
@@ -79,20 +97,16 @@ private:
     /// one.
     static void collect(const fs::path& top, const fs::path& folder,
                         std::map<std::string, fs::path>& files) {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
-            if (entry.is_regular_file())
-                files[fs::relative(entry.path(), top).generic_string()] = entry.path();
+        for (const fs::path& file : filesOfFolder<fs::recursive_directory_iterator>(folder))
+            files[file.lexically_relative(top).generic_string()] = file;
     }
 
     /// Adds the files of one kind directly in a folder, without subfolders: assets/references/ is
     /// not handed out.
     void addKind(const std::string& name, const std::string& extension) {
-        std::set<fs::path> files;
-        for (const fs::directory_entry& entry : fs::directory_iterator{data_ / name})
-            if (entry.is_regular_file() && entry.path().extension() == extension)
-                files.insert(entry.path());
-        for (const fs::path& found : files)
-            zip_.addFile(root_ + name + "/" + found.filename().string(), found);
+        for (const fs::path& found : filesOfFolder<fs::directory_iterator>(data_ / name))
+            if (found.extension() == extension)
+                zip_.addFile(root_ + name + "/" + found.filename().string(), found);
     }
 
     /// Adds the handout and the pictures in it.

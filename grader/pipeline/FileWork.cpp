@@ -14,7 +14,7 @@ namespace {
 using build::BuildResult;
 void closeAll(FileWork& work, TaskState state, const std::string& reason) {
     for (TaskReport& task : work.tasks) {
-        if (!isOpen(task)) continue;
+        if (!awaitsJudge(task)) continue;
         task.state = state;
         task.reason = reason;
     }
@@ -22,7 +22,7 @@ void closeAll(FileWork& work, TaskState state, const std::string& reason) {
 
 void blockAll(FileWork& work, const Finding& finding, bool needsReview) {
     for (TaskReport& task : work.tasks) {
-        if (!isOpen(task)) continue;
+        if (!awaitsJudge(task)) continue;
         task.state = TaskState::blocked;
         task.reason = finding.message;
         task.findings.push_back(finding);
@@ -177,7 +177,7 @@ Finding forbiddenCallFinding() {
 }
 
 // `notGraded` without a reason marks a report that is not judged yet; every judgement has a reason.
-bool isOpen(const TaskReport& task) {
+bool awaitsJudge(const TaskReport& task) {
     return task.state == TaskState::notGraded && task.reason.empty();
 }
 
@@ -210,7 +210,7 @@ FileWork prepareFile(const intake::Submission& submission, const std::string& fi
             task.state = TaskState::notAttempted;
             task.reason = "the stub still stands";
         }
-        anyOpen = anyOpen || isOpen(task);
+        anyOpen = anyOpen || awaitsJudge(task);
     }
     if (anyOpen) buildFile(work, *source, file, grader);
     return work;

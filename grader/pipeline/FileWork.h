@@ -35,7 +35,7 @@ void settle(TaskReport& task, TaskJudgement judgement);
 [[nodiscard]] Finding forbiddenCallFinding();
 
 /// True where the task is still to be judged.
-[[nodiscard]] bool isOpen(const TaskReport& task);
+[[nodiscard]] bool awaitsJudge(const TaskReport& task);
 
 }  // namespace ticker::pipeline
 

@@ -27,7 +27,7 @@ double millisecondsSince(Clock::time_point start) {
 void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::uint64_t seed) {
     std::vector<std::pair<TaskReport*, std::future<TaskJudgement>>> begun;
     for (TaskReport& report : work.tasks) {
-        if (!isOpen(report)) continue;
+        if (!awaitsJudge(report)) continue;
         const Task& task = codeOf(grader, report.id);
         begun.emplace_back(&report, questioning.begin([task, seed](probe::Examinee& examinee) {
             TaskJudgement judgement = task.judge(examinee, seed);
@@ -138,29 +138,32 @@ private:
     /// Asks a file's program all that can be asked without the other files.
     void ask(FileWork& work, JudgedFile& judged, SubmissionResult& result) {
         Questioning questioning{*work.program, grader_, budget_};
-        const bool isUsable = judgeAndRender(work, judged, questioning, result);
-        result.timing.probeMs += questioning.wallMs();
-        if (questioning.madeForbiddenCall()) blockForbidden(work.tasks);
+        Questioning pictures{*work.program, grader_, budget_};
+        const bool isUsable = judgeAndRender(work, judged, questioning, pictures, result);
+        result.timing.probeMs += questioning.wallMs() + pictures.wallMs();
+        // In a class no picture is rendered where a task is blocked: it must not count alone.
+        if (questioning.madeForbiddenCall() || (isUsable && pictures.madeForbiddenCall()))
+            blockForbidden(work.tasks);
         if (isUsable) judged.program = std::move(work.program);
     }
 
-    /// @return  Whether the program may be asked again: code that crashed or looped would do so
-    ///          again.
+    /// @return  Whether the program may be asked again, and its pictures count: code that crashed
+    ///          or looped would do so again.
     bool judgeAndRender(FileWork& work, JudgedFile& judged, Questioning& questioning,
-                        SubmissionResult& result) {
+                        Questioning& pictures, SubmissionResult& result) {
         const auto render = [&](Rays rays) {
             return [this, &judged, rays](probe::Examinee& examinee) {
                 return renderSpecScenes(grader_.scenes, judged.file, examinee, rays);
             };
         };
         // Whichever way this function ends, it waits for these two, if they have begun.
-        std::future<Gallery> gallery = questioning.begin(render(Rays::few));
+        std::future<Gallery> gallery = pictures.begin(render(Rays::few));
         std::future<AskedAhead> ahead = beginScreenshot(judged.file, *work.program);
         judge(work, grader_, questioning, seed_);
         if (std::ranges::any_of(work.tasks, isIn(TaskState::blocked))) return false;
         Gallery rendered = gallery.get();
         if (!rendered.isClear && std::ranges::all_of(work.tasks, isIn(TaskState::passed)))
-            rendered = questioning.run(render(Rays::handout));
+            rendered = pictures.run(render(Rays::handout));
         if (!grader_.scenes.empty())
             doubt(work.tasks, grader_, {rendered.misfits, rendered.bumpMisfit});
         judged.renders = std::move(rendered).moveTo(result);

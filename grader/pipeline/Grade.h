@@ -31,8 +31,8 @@ struct Grader {
     /// True if only one submission is graded: independent steps may then run in parallel.
     bool isAlone = false;
     std::vector<SpecScene> scenes = {};  ///< rendered for the report; may be empty
-    std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty if unknown
-    std::string rubricText = {};  ///< text of the file that `rubric` was read from
+    std::string build = {};              ///< digest of the tool, see ResultInputs.h; may be empty
+    std::string rubricText = {};         ///< text of the file that `rubric` was read from
     const Exercise* exercise = &defaultExercise();
     std::span<const Task> tasks = tasks::tasksOf(exercise->name);  ///< the code of its tasks
 };

@@ -1,6 +1,7 @@
 #include <grader/pipeline/InputDigests.h>
 
 #include <grader/base/Digest.h>
+#include <grader/sandbox/HelperProgram.h>
 
 #include <algorithm>
 
@@ -34,6 +35,10 @@ std::string toolBuild(const build::Kit& kit, const std::vector<fs::path>& data) 
         .addFile(kit.folder() / "kit.json")
         .addFile(kit.folder() / "lib" / "libkit.a")
         .addFile(kit.folder() / "lib" / "probe.o");
+    for (const std::string& file : kit.files())
+        digest.add(kit.templateSource(file)).addFile(kit.folder() / kit.templateObject(file));
+    for (const char* helper : {"ticker-jail", "ticker-decode"})
+        digest.addFile(sandbox::findProgram(helper));
     std::vector<fs::path> files;
     for (const fs::path& folder : data)
         for (const fs::directory_entry& entry : fs::directory_iterator{folder})

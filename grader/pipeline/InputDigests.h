@@ -13,8 +13,9 @@
 
 namespace ticker::pipeline {
 
-/// Digest of the running program, of the kit that compiles submissions, and of the files in the
-/// data folders.
+/// Digest of the running program and its helpers, of the kit that compiles submissions with its
+/// stubs, and of the files in the data folders.
+/// @throws raytracer::Error if a helper is missing.
 [[nodiscard]] std::string toolBuild(const build::Kit& kit,
                                     const std::vector<std::filesystem::path>& data);
 

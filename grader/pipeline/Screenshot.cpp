@@ -45,7 +45,7 @@ Finding unreadable(const picture::DecodeFailure& failure) {
                    "Hand in the file that tick1star -o screenshot.png writes.");
 }
 
-// Large enough for a page.
+// Adds the picture to the report, at most 1280 pixels wide.
 void show(const ByteImage& image, SubmissionResult& result) {
     constexpr int kWidest = 1280;
     ByteImage shown = image;

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <tuple>
 #include <utility>
 
@@ -132,13 +134,22 @@ struct MadeHeader {
     }
 };
 
-/// The precompiled header for the parser: the kit's own, or one that is made once if that cannot be
-/// used.
+/// The precompiled header for the parser: the kit's own, or one that is made once for each kit
+/// whose own cannot be used.
 fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
                       const sandbox::Limits& limits) {
     if (fs::path own = kit.parsedHeader(); !own.empty()) return own;
-    static const MadeHeader made{kit, sandbox, limits};
-    return made.product.file;
+    static std::mutex mutex;
+    static std::map<fs::path, MadeHeader> made;
+    const std::lock_guard lock{mutex};
+    return made.try_emplace(kit.folder(), kit, sandbox, limits).first->second.product.file;
+}
+
+void writeSource(const fs::path& file, std::string_view source) {
+    std::ofstream stream{file, std::ios::binary};
+    stream.write(source.data(), static_cast<std::streamsize>(source.size()));
+    if (!stream.flush()) throw raytracer::Error("cannot write " + file.string());
+    fs::permissions(file, fs::perms{0644});
 }
 
 }  // namespace
@@ -147,8 +158,7 @@ Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox
                           const sandbox::Limits& limits, const std::string& file,
                           std::string_view source, const Wanted& wanted) {
     const sandbox::JobFolder sources;
-    std::ofstream{sources.path() / file, std::ios::binary} << source;
-    fs::permissions(sources.path() / file, fs::perms{0644});
+    writeSource(sources.path() / file, source);
     const fs::path header = parsedHeader(kit, sandbox, limits);
     const Product product{kProduct};
     sandbox::Command command = parserCommand(kit, limits, product);

@@ -19,7 +19,8 @@ namespace ticker::repair {
 /// What was found for one submission, and what it took.
 struct Explanation {
     std::vector<Repair> repairs;  ///< proven; the simplest of each task first
-    double cpuMs = 0.0;           ///< of all; of it in processes:
+    double cpuMs = 0.0;           ///< CPU time of the explanation, ms
+    /// The part of it that child processes took, by kind of work.
     std::map<Work, double> workMs;
     std::size_t tried = 0;            ///< sets of edits that were asked
     std::vector<std::string> cutOff;  ///< tasks without a repair whose time ended before all edits

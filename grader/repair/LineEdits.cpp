@@ -1,3 +1,4 @@
+#include <grader/base/JsonLines.h>
 #include <grader/repair/LineEdits.h>
 
 #include <algorithm>
@@ -28,10 +29,6 @@ std::size_t endOfLine(std::string_view source, std::size_t at) {
     return std::min(source.find('\n', at), source.size());
 }
 
-int lineOf(std::string_view source, std::size_t at) {
-    return 1 + static_cast<int>(std::ranges::count(source.substr(0, at), '\n'));
-}
-
 }  // namespace
 
 std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<TextEdit>& edits) {
@@ -51,7 +48,7 @@ std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<Tex
         const std::string_view from = source.substr(begin, end - begin);
         if (auto to = withEdits(from, together)) {
             if (to->find_first_not_of(" \t\r\n") == std::string::npos) to->clear();
-            lines.push_back({lineOf(source, begin), std::string{from}, *to});
+            lines.push_back({lineOfByte(source, begin + 1), std::string{from}, *to});
         }
     }
     return lines;

@@ -1,6 +1,9 @@
 #include <grader/sandbox/JobFolder.h>
 #include <grader/sandbox/Sandbox.h>
 
+#include <raytracer/base/Error.h>
+
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -18,6 +21,18 @@ JobFolder::JobFolder(JobFolder&& other) noexcept : path_(std::exchange(other.pat
 JobFolder& JobFolder::operator=(JobFolder&& other) noexcept {
     std::swap(path_, other.path_);
     return *this;
+}
+
+void JobFolder::write(const std::string& name, std::string_view bytes) const {
+    const std::filesystem::path file = path_ / name;
+    std::ofstream stream{file, std::ios::binary};
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    std::error_code error;
+    if (stream) std::filesystem::permissions(file, std::filesystem::perms{0644}, error);
+    if (!stream || error)
+        throw raytracer::Error("cannot write " + file.string() +
+                               "; is the disk full? TMPDIR names another one");
 }
 
 }  // namespace ticker::sandbox

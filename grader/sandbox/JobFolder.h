@@ -2,6 +2,8 @@
 #define TICKER_SANDBOX_JOBFOLDER_H
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace ticker::sandbox {
 
@@ -17,6 +19,10 @@ public:
     JobFolder& operator=(const JobFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// Writes a file in it that every user can read.
+    /// @throws raytracer::Error (notGradable) if it cannot be written, as on a full disk.
+    void write(const std::string& name, std::string_view bytes) const;
 
 private:
     std::filesystem::path path_;

@@ -1,5 +1,6 @@
 #include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/LevelDiagnosis.h>
+#include <grader/sandbox/Obstacle.h>
 #include <grader/sandbox/RunAt.h>
 
 #include <raytracer/base/Error.h>
@@ -7,8 +8,6 @@
 #include <fmt/core.h>
 
 #include <unistd.h>
-
-#include <array>
 
 namespace ticker::sandbox {
 namespace {
@@ -38,11 +37,7 @@ std::string promise(Level level) {
 std::string adviceFor(Level level) {
     switch (level) {
         case Level::namespaces:
-            return "needs bubblewrap 0.8 or later; allow unprivileged user namespaces (sysctl "
-                   "kernel.unprivileged_userns_clone=1; "
-                   "on Ubuntu also kernel.apparmor_restrict_unprivileged_userns=0); in a "
-                   "container, "
-                   "run it with --security-opt seccomp=unconfined, or accept the next level";
+            return adviceForNamespaces(namespaceSettings());
         case Level::ownUser:
             return "needs a kernel with Landlock (5.13) and a container that permits its system "
                    "calls and setuid";
@@ -108,6 +103,14 @@ std::vector<Diagnosis> diagnose() {
     for (const Level level : {Level::namespaces, Level::ownUser, Level::sameUser, Level::none})
         all.push_back(diagnose(level));
     return all;
+}
+
+std::string refusalOf(const std::vector<Diagnosis>& levels) {
+    std::string message = "this machine gives no sandbox; ";
+    for (const Diagnosis& level : levels)
+        if (!level.available)
+            message += fmt::format("{}: {}; ", toString(level.level), level.reason);
+    return message + "`ticker doctor` says what each level needs";
 }
 
 }  // namespace ticker::sandbox

@@ -22,6 +22,10 @@ struct Diagnosis {
 /// All levels, the best first.
 [[nodiscard]] std::vector<Diagnosis> diagnose();
 
+/// What is said where no level confines commands: the reason of each that is missing, and where to
+/// read on.
+[[nodiscard]] std::string refusalOf(const std::vector<Diagnosis>& levels);
+
 }  // namespace ticker::sandbox
 
 #endif

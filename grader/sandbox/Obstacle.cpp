@@ -45,4 +45,10 @@ std::string commandForNamespaces(const NamespaceSettings& settings) {
     return {};
 }
 
+std::string adviceForNamespaces(const NamespaceSettings& settings) {
+    const std::string command = commandForNamespaces(settings);
+    return command.empty() ? "needs bubblewrap 0.8 or later and unprivileged user namespaces"
+                           : "run: " + command;
+}
+
 }  // namespace ticker::sandbox

@@ -21,6 +21,9 @@ struct NamespaceSettings {
 /// there.
 [[nodiscard]] std::string commandForNamespaces(const NamespaceSettings& settings);
 
+/// What level A needs here, for people: that command where there is one.
+[[nodiscard]] std::string adviceForNamespaces(const NamespaceSettings& settings);
+
 }  // namespace ticker::sandbox
 
 #endif

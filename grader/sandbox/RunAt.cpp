@@ -134,7 +134,7 @@ Outcome killedByOthers(Outcome outcome) {
     outcome.output =
         "sandbox: the job was killed from outside: by the kernel, because the machine's memory was "
         "full (then use fewer --jobs), or by another ticker with the same uids (then give each a "
-        "range of its own in limits.json)";
+        "range of its own in grader/sandbox/limits.json, and build again)";
     return outcome;
 }
 

@@ -25,10 +25,7 @@ std::string toString(Level level) {
 Sandbox Sandbox::best() {
     for (const Level level : {Level::namespaces, Level::ownUser, Level::sameUser})
         if (diagnose(level).available) return Sandbox{level};
-    std::string message = "this machine gives no sandbox";
-    for (const Diagnosis& diagnosis : diagnose())
-        message += fmt::format("; {}: {}", toString(diagnosis.level), diagnosis.reason);
-    throw raytracer::Error(message);
+    throw raytracer::Error(refusalOf(diagnose()));
 }
 
 Sandbox Sandbox::at(Level level) {

@@ -9,7 +9,6 @@
 #include <condition_variable>
 #include <csignal>
 #include <deque>
-#include <functional>
 #include <future>
 #include <mutex>
 #include <thread>

@@ -63,7 +63,7 @@ UserSlot takeUserSlot(const UserRange& range, std::chrono::milliseconds patience
     }
     throw raytracer::Error(
         fmt::format("sandbox: all {} uids from {} on are in use: fewer jobs at once, or a larger "
-                    "range in limits.json",
+                    "range in grader/sandbox/limits.json, and build again",
                     range.count, range.first));
 }
 

@@ -8,7 +8,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
+#include <csignal>
+#include <iterator>
 #include <regex>
 #include <sstream>
 #include <system_error>
@@ -21,15 +22,6 @@ namespace fs = std::filesystem;
 // The shortest run of tokens that counts. Measured: 12 tokens are shared by chance too often.
 constexpr const char* kShortestRun = "16";
 constexpr std::size_t kMostOutput = 64U << 20U;
-
-void write(const fs::path& file, const std::string& text) {
-    std::ofstream stream{file, std::ios::binary};
-    stream << text;
-    if (!stream.flush())
-        throw raytracer::Error("cannot write " + file.string() +
-                               "; is the disk full? TMPDIR names another one");
-    fs::permissions(file, fs::perms{0644});
-}
 
 int number(const std::ssub_match& match) {
     return std::stoi(match.str());
@@ -57,12 +49,39 @@ std::vector<Match> matchesIn(const std::string& output) {
     return matches;
 }
 
+std::string howItEnded(const sandbox::Outcome& outcome, const sandbox::Limits& limits) {
+    using End = sandbox::Outcome::End;
+    switch (outcome.end) {
+        case End::exited:
+            return fmt::format("exit status {}", outcome.code);
+        case End::signalled:
+            return outcome.code == SIGXCPU
+                       ? fmt::format("stopped after {:.0f} s of the processor", limits.cpuSeconds)
+                       : fmt::format("killed by signal {}", outcome.code);
+        case End::wallLimit:
+            return fmt::format("stopped after {:.0f} s", limits.wallSeconds);
+        case End::outputLimit:
+            return fmt::format("stopped after {} bytes of output", limits.outputBytes);
+        case End::failed:
+            break;
+    }
+    return "the sandbox failed";
+}
+
 }  // namespace
 
 fs::path findMatcher() {
     std::error_code error;
     const fs::path program = "/usr/bin/sim_c++";
     return fs::exists(program, error) ? program : fs::path{};
+}
+
+std::string matcherFailure(std::size_t files, const sandbox::Outcome& outcome,
+                           const sandbox::Limits& limits) {
+    std::string text =
+        fmt::format("sim_c++ did not finish on {} files ({})", files, howItEnded(outcome, limits));
+    if (!outcome.output.empty()) text += ": " + outcome.output.substr(0, 400);
+    return text;
 }
 
 Matcher::Matcher(const sandbox::Sandbox& sandbox) : sandbox_(sandbox) {
@@ -81,7 +100,7 @@ std::string Matcher::run(const std::vector<std::string>& options,
     std::ranges::copy(options, std::back_inserter(command.arguments));
     for (std::size_t i = 0; i < texts.size() + known.size(); ++i) {
         const std::string name = fmt::format("{:05}.cpp", i);
-        write(folder.path() / name, i < texts.size() ? texts[i] : known[i - texts.size()]);
+        folder.write(name, i < texts.size() ? texts[i] : known[i - texts.size()]);
         if (i == texts.size()) command.arguments.emplace_back("/");
         command.arguments.push_back(name);
     }
@@ -92,7 +111,8 @@ std::string Matcher::run(const std::vector<std::string>& options,
     command.limits.outputBytes = kMostOutput;
     sandbox::Outcome outcome = sandbox_.run(command);
     if (!outcome.succeeded())
-        throw raytracer::Error("sim_c++ failed on these files: " + outcome.output.substr(0, 400));
+        throw raytracer::Error(
+            matcherFailure(texts.size() + known.size(), outcome, command.limits));
     return std::move(outcome.output);
 }
 

@@ -1,8 +1,10 @@
 #ifndef TICKER_SIMILAR_MATCHER_H
 #define TICKER_SIMILAR_MATCHER_H
 
+#include <grader/sandbox/Sandbox.h>
 #include <grader/similar/Similar.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,10 @@ struct Share {
     std::size_t other = 0;
     int percent = 0;
 };
+
+/// What is said of a matcher that did not finish: how it ended, and the beginning of what it wrote.
+[[nodiscard]] std::string matcherFailure(std::size_t files, const sandbox::Outcome& outcome,
+                                         const sandbox::Limits& limits);
 
 /// Runs the matcher on texts, which are told apart by their index.
 class Matcher {

@@ -2,7 +2,6 @@
 #include <grader/similar/Similar.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <sstream>
 #include <utility>

@@ -114,7 +114,7 @@ void addDrawEdits(Edits& edits, int node);
 void addGroupingEdits(Edits& edits, int node);
 void addResets(Edits& edits, int node);
 void addSecondRoots(Edits& edits, int node);
-// With what the function could name and does not.
+// These put in names that are visible in the function but not used.
 void addWideEdits(Edits& edits, int node);
 void addFormulas(Edits& edits, int node);
 void addGuards(Edits& edits, int node);

@@ -79,7 +79,7 @@ void negate(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     if (!edits.isType(index, "bool") || node.parent < 0) return;
-    // "Not (not a or b)" is nobody's mistake.
+    // A condition that already holds `!` is not negated: students do not make that mistake.
     if (edits.text(index).find('!') != std::string::npos) return;
     const Node& around = tree.at(node.parent);
     const bool decides = around.kind == NodeKind::branch && around.children.front() == index;

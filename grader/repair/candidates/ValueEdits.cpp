@@ -56,7 +56,7 @@ bool isComparedWithConstant(const Tree& tree, int index) {
     return isConstant(tree, isLeft ? around.children.back() : around.children.front());
 }
 
-/// The other x of `x * x`; -1: a node is not the first of such.
+/// For the left operand of `x * x`: index of the right operand; -1 for any other node.
 int twinInSquare(const Edits& edits, int index) {
     const Node& around = edits.tree().at(std::max(0, edits.tree().at(index).parent));
     if (around.kind != NodeKind::binary || around.name != "*") return -1;

@@ -20,7 +20,8 @@ bool isNamed(const Tree& tree, int function, int variable) {
     return false;
 }
 
-/// An initialiser with one sign for plus and minus; empty: not a number's.
+/// Text of a double's initialiser with every + written as -, so that the two roots of a quadratic
+/// compare equal; empty for other declarations.
 std::string computation(const Edits& edits, int variable) {
     const Node& node = edits.tree().at(variable);
     if (node.kind != NodeKind::declaration || node.type != "double" || node.children.empty())

@@ -13,7 +13,7 @@ namespace ticker::candidates {
 /// Terms and values that a function could name beside those of a node.
 void addWideTerms(Edits& edits, int index, const Vocabulary& words);
 
-/// Whether a hit counts, and what is asked for it.
+/// Adds the edits of WideTerms.cpp for code that tests or uses a hit.
 void addHitEdits(Edits& edits, int index);
 
 }  // namespace ticker::candidates

@@ -25,7 +25,7 @@ ordered_json feedbackOf(const StudentView& view) {
     ordered_json unmarked = ordered_json::object();
     for (const TaskReport& task : view.result().tasks) {
         if (!concernsStudent(task)) continue;
-        if (isDecided(task))
+        if (isCertain(task))
             marked[taskName(task)] = stepOf(view, task);
         else
             unmarked[taskName(task)] = shortText(view, task);

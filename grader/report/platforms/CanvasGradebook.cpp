@@ -1,5 +1,6 @@
 #include <grader/report/platforms/CanvasGradebook.h>
 
+#include <grader/base/Trimmed.h>
 #include <grader/report/Escape.h>
 #include <grader/report/platforms/CsvFile.h>
 #include <grader/report/platforms/SubmissionId.h>
@@ -18,12 +19,6 @@ namespace ticker::report {
 namespace {
 
 constexpr std::string_view kPointsRow = "Points Possible";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// "815" of "Tick 1 (815)"; empty for columns that are no assignment's.
 std::string_view assignmentId(std::string_view header) {

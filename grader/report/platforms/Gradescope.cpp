@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 ordered_json testOf(const StudentView& view, const TaskReport& task, int number) {
     ordered_json test;
-    if (isDecided(task)) test["status"] = task.state == TaskState::passed ? "passed" : "failed";
+    if (isCertain(task)) test["status"] = task.state == TaskState::passed ? "passed" : "failed";
     test["name"] = taskName(task);
     test["name_format"] = "text";
     test["number"] = std::to_string(number);

@@ -20,7 +20,7 @@ struct Case {
 };
 
 Outcome outcomeOf(const TaskReport& task) {
-    if (!isDecided(task) || task.state == TaskState::notAttempted) return Outcome::skipped;
+    if (!isCertain(task) || task.state == TaskState::notAttempted) return Outcome::skipped;
     return task.state == TaskState::passed ? Outcome::passed : Outcome::failed;
 }
 

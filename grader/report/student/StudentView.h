@@ -65,9 +65,9 @@ private:
 /// True if the student attempted this task, or if it has findings.
 [[nodiscard]] bool concernsStudent(const TaskReport& task);
 
-/// True if the task's state is final: it was graded and checked, and needs no review. A task that
-/// is not attempted counts as decided.
-[[nodiscard]] bool isDecided(const TaskReport& task);
+/// True if the task's state is certain: it was graded and checked, and needs no review. A task that
+/// is not attempted counts as certain.
+[[nodiscard]] bool isCertain(const TaskReport& task);
 
 /// True if the verdict gives a score that a platform may store and release.
 [[nodiscard]] bool hasScore(const SubmissionResult& result);

@@ -39,6 +39,24 @@ TEST(GradeSubmission, GivesTheSameResultAloneAsInAClass) {
     }
 }
 
+// A picture is rendered beside the questions only if the submission is graded alone.
+TEST(GradeSubmission, GivesTheSameResultAloneWhereATaskCrashesAndAPictureOpensASocket) {
+    std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
+    source.insert(source.find("const Camera camera"),
+                  "if (settings().width > 100) socket(AF_INET, SOCK_STREAM, 0);\n"
+                  "else if (settings().dofRayCount > 1) std::abort();\n");
+    intake::Submission work;
+    work.name = "somebody";
+    work.parts["Renderer.cpp"] = "#include <sys/socket.h>\n#include <cstdlib>\n" + source;
+    Grader grader = tests::testGraderWithScenes();
+    for (const bool isAlone : {false, true}) {
+        grader.isAlone = isAlone;
+        const SubmissionResult result = gradeSubmission(work, grader, 1);
+        EXPECT_EQ(tests::taskOf(result, "T2.1").state, TaskState::passed) << isAlone;
+        EXPECT_EQ(tests::taskOf(result, "T2.2").state, TaskState::blocked) << isAlone;
+    }
+}
+
 TEST(FirstQuestions, AreThoseOfTheOnlyFilesSceneAtThePicturesSize) {
     const Grader& grader = tests::testGraderWithScenes();
     intake::Submission work;

@@ -1,5 +1,6 @@
 #include <grader/pipeline/InputDigests.h>
 #include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,21 @@ TEST(QuestionSeed, GivesALateHandInThatDiffersByACommentOtherQuestions) {
     };
     EXPECT_EQ(said(""), said(""));
     EXPECT_NE(said(""), said("// late\n"));
+}
+
+// A stub decides what counts as not attempted, and is linked into every program.
+TEST(ToolBuild, IsAnotherForEveryOtherStub) {
+    namespace fs = std::filesystem;
+    const tests::TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms{0755});
+    fs::copy(tests::testGrader().kit.folder(), folder.path() / "kit", fs::copy_options::recursive);
+    const auto digest = [&] { return toolBuild(build::Kit::at(folder.path() / "kit"), {}); };
+    const std::string before = digest();
+    EXPECT_EQ(digest(), before);
+    const std::string stub = tests::testGrader().kit.templateSource("Renderer.cpp");
+    fs::remove(folder.path() / "kit/template/Renderer.cpp");
+    folder.write("kit/template/Renderer.cpp", stub + "// changed\n");
+    EXPECT_NE(digest(), before);
 }
 
 TEST(HowDigest, IsThatOfTheResultsOfALevelAndAnotherForEveryOtherWay) {

@@ -145,12 +145,12 @@ TEST(DrawRasters, ShowsGreysFromBlackToWhiteAndNaNAsBlack) {
 TEST(IsOpen, IsAReportWithoutAReasonThatNobodyJudgedYet) {
     TaskReport task;
     task.state = TaskState::notGraded;
-    EXPECT_TRUE(isOpen(task));
+    EXPECT_TRUE(awaitsJudge(task));
     task.reason = "the program could not be run";
-    EXPECT_FALSE(isOpen(task));
+    EXPECT_FALSE(awaitsJudge(task));
     task.reason = "";
     task.state = TaskState::passed;
-    EXPECT_FALSE(isOpen(task));
+    EXPECT_FALSE(awaitsJudge(task));
 }
 
 /// The state and the reason of the file's first task.

@@ -189,6 +189,23 @@ TEST(WideEdits, AreCompiledWhereThousandsOfThemNarrowNumbers) {
     EXPECT_TRUE(built.program) << built.diagnostics.substr(0, 300);
 }
 
+// A campaign goes through the exercises, whose headers differ.
+TEST(PrecompiledHeader, IsMadeForEachKitThatWasMoved) {
+    const tests::TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms{0755});
+    for (const auto& [exercise, file] :
+         {std::pair{kStarred, "BumpySphere.cpp"}, std::pair{kMain, "Sphere.cpp"}}) {
+        const auto moved = folder.path() / exercise;
+        std::filesystem::copy(build::Kit::besideProgram(exerciseNamed(exercise)).folder(), moved,
+                              std::filesystem::copy_options::recursive);
+        const build::Kit kit = build::Kit::at(moved);
+        const auto candidates =
+            findCandidates(kit, sandbox::Sandbox::best(), sandbox::defaultPolicy().compile, file,
+                           kit.templateSource(file), {});
+        EXPECT_FALSE(candidates.program.empty()) << exercise;
+    }
+}
+
 // A kit that was moved needs headers that are precompiled anew, which the next job reads.
 TEST(PrecompiledHeader, CanBeReadByEveryJobWhateverTheUmaskOfRootIs) {
     if (geteuid() != 0) GTEST_SKIP() << "only the jobs of root have another uid";

@@ -5,7 +5,9 @@
 #include <grader/result/Names.h>
 #include <grader/result/ProvenLine.h>
 #include <grader/result/ResultJson.h>
+#include <grader/tests/support/AsNobody.h>
 #include <grader/tests/support/FitsSchema.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
@@ -210,8 +212,25 @@ TEST(ReadResultJson, SaysWhatIsWrongInAnyFile) {
     document = json::parse(resultJson(example()));
     document["seed"] = "12x";
     EXPECT_NE(messageFor(document.dump()).find("/seed"), std::string::npos);
+    document = json::parse(resultJson(example()));
+    document["score"] = nullptr;
+    EXPECT_NE(messageFor(document.dump()).find("/score: expected a number"), std::string::npos);
     fs::remove(file);
     EXPECT_THROW(static_cast<void>(readResultJson(file)), raytracer::InputError);
+}
+
+TEST(ReadResultJson, SaysThatAFileCannotBeRead) {
+    const tests::TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms{0755});
+    const fs::path file = folder.write("result.json", resultJson(example()));
+    fs::permissions(file, fs::perms::none);
+    const tests::AsNobody nobody;
+    try {
+        static_cast<void>(readResultJson(file));
+        FAIL() << "it was read";
+    } catch (const raytracer::InputError& error) {
+        EXPECT_EQ(error.what(), file.string() + ": cannot be read; expected a result.json");
+    }
 }
 
 TEST(WriteAtomically, NamesTheFileThatCannotBeWritten) {

@@ -23,5 +23,12 @@ TEST(Obstacle, IsRemovedByOneCommandThatFitsTheMachine) {
         "");
 }
 
+TEST(Obstacle, IsNamedWithItsCommandAlone) {
+    EXPECT_EQ(adviceForNamespaces({.unprivilegedClone = "0", .apparmorRestricts = "1"}),
+              "run: sysctl -w kernel.unprivileged_userns_clone=1");
+    EXPECT_EQ(adviceForNamespaces({}),
+              "needs bubblewrap 0.8 or later and unprivileged user namespaces");
+}
+
 }  // namespace
 }  // namespace ticker::sandbox

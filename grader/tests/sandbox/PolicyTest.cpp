@@ -206,6 +206,14 @@ TEST(DiagnoseSandbox, SaysWhatIsInTheWayOfALevelThatIsMissing) {
     }
 }
 
+TEST(DiagnoseSandbox, SaysWhyThereIsNoLevelAndWhereToReadOn) {
+    EXPECT_EQ(refusalOf({{Level::namespaces, false, "no bubblewrap", "install it"},
+                         {Level::ownUser, false, "not root", ""},
+                         {Level::none, true, "never for strangers' code", ""}}),
+              "this machine gives no sandbox; A: no bubblewrap; B: not root; `ticker doctor` says "
+              "what each level needs");
+}
+
 TEST(DiagnoseSandbox, NeverTakesNoneForTheBest) {
     bool locked = false;
     for (const Diagnosis& diagnosis : diagnose())

@@ -1,3 +1,4 @@
+#include <grader/similar/Matcher.h>
 #include <grader/similar/SimilarPage.h>
 
 #include <raytracer/base/Error.h>
@@ -82,6 +83,25 @@ TEST_F(SimilarFiles, AnyBytesAreCompared) {
 
 TEST_F(SimilarFiles, AFullDiskIsAnErrorAndNotAClassWithoutPairs) {
     EXPECT_EXIT(compareWithoutRoom(sandbox_), testing::ExitedWithCode(0), "");
+}
+
+TEST(MatcherFailure, SaysHowTheMatcherEnded) {
+    using End = sandbox::Outcome::End;
+    const sandbox::Limits limits{.cpuSeconds = 30.0, .wallSeconds = 90.0, .outputBytes = 4096};
+    const auto saidOf = [&](End end, int code, const std::string& output = "") {
+        sandbox::Outcome outcome;
+        outcome.end = end;
+        outcome.code = code;
+        outcome.output = output;
+        return matcherFailure(3, outcome, limits);
+    };
+    const std::string words = "sim_c++ did not finish on 3 files ";
+    EXPECT_EQ(saidOf(End::wallLimit, 0), words + "(stopped after 90 s)");
+    EXPECT_EQ(saidOf(End::signalled, SIGXCPU), words + "(stopped after 30 s of the processor)");
+    EXPECT_EQ(saidOf(End::signalled, SIGSEGV), words + "(killed by signal 11)");
+    EXPECT_EQ(saidOf(End::outputLimit, 0), words + "(stopped after 4096 bytes of output)");
+    EXPECT_EQ(saidOf(End::exited, 1, "no memory"), words + "(exit status 1): no memory");
+    EXPECT_EQ(saidOf(End::failed, 0, "no uid"), words + "(the sandbox failed): no uid");
 }
 
 TEST(SimilarPage, ShowsBothFilesAndEscapesThem) {
