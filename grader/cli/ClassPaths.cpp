@@ -6,6 +6,7 @@
 #include <grader/exercise/Exercise.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
 
@@ -13,7 +14,7 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace ticker::cli {
@@ -100,16 +101,15 @@ void expectOneExercise(const ClassPaths& from, const std::vector<intake::Located
 }
 
 std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
-    std::istringstream words{share};
-    std::size_t part = 0;
-    std::size_t parts = 0;
-    char slash = ' ';
-    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
-        !words.eof())
+    const std::string_view words = share;
+    const std::size_t slash = std::min(words.find('/'), words.size());
+    const auto part = raytracer::parseCount(words.substr(0, slash));
+    const auto parts = raytracer::parseCount(words.substr(std::min(slash + 1, words.size())));
+    if (!part || !parts || *part < 1 || *part > *parts)
         throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
     std::vector<intake::Located> mine;
-    for (std::size_t i = part - 1; i < all.size(); i += parts)
-        mine.push_back(std::move(all[i]));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (i % *parts == *part - 1) mine.push_back(std::move(all[i]));
     return mine;
 }
 

@@ -1,12 +1,15 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/cli/ClassRun.h>
 #include <grader/cli/Output.h>
+#include <grader/report/ReportWords.h>
+#include <grader/result/Names.h>
 #include <grader/store/ClassFolder.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace ticker::cli {
@@ -35,10 +38,12 @@ void make(const fs::path& out) {
     const fs::path whole = fs::absolute(out).lexically_normal();
     const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
     std::error_code error;
-    fs::create_directories(folder.parent_path(), error);
-    const bool isNew = !error && fs::create_directory(folder, error);
-    if (isNew) fs::permissions(folder, fs::perms::owner_all, error);
-    if (error) throw raytracer::InputError(out.string(), 0, "cannot be made: " + error.message());
+    if (fs::is_directory(folder, error)) return;
+    makeFolder(folder);
+    fs::permissions(folder, fs::perms::owner_all, error);
+    if (error)
+        throw raytracer::InputError(out.string(), 0,
+                                    "its permissions cannot be set: " + error.message());
 }
 
 bool hasFinding(const SubmissionResult& result, const std::string& id) {
@@ -46,13 +51,6 @@ bool hasFinding(const SubmissionResult& result, const std::string& id) {
         return std::ranges::any_of(task.findings,
                                    [&](const Finding& finding) { return finding.id == id; });
     });
-}
-
-std::optional<std::uint64_t> wholeNumber(const std::string& text) {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
 }
 
 }  // namespace
@@ -87,7 +85,7 @@ ClassRun::ClassRun(fs::path out, const Exercise& exercise, Regrade regrade, bool
 std::uint64_t ClassRun::settleSeed(std::optional<std::uint64_t> given, bool keepsResults,
                                    std::uint64_t fresh) {
     if (!store_) return given.value_or(fresh);
-    const std::optional<std::uint64_t> earlier = wholeNumber(store_->remembered(kSeedKey));
+    const auto earlier = raytracer::parseCount(store_->remembered(kSeedKey));
     const std::uint64_t seed = given ? *given : keepsResults && earlier ? *earlier : fresh;
     store_->remember(kSeedKey, std::to_string(seed));
     return seed;
@@ -144,8 +142,26 @@ void ClassRun::index(const SubmissionResult& result, bool isKept) {
     store_->put(result, store::utcNow());
 }
 
-void ClassRun::finish() const {
-    if (size() > 0) writeClass(out_);
+std::size_t RunCounts::all() const {
+    std::size_t sum = 0;
+    for (const auto& [verdict, count] : verdicts)
+        sum += count;
+    return sum;
+}
+
+std::string closingLine(const RunCounts& counts) {
+    std::string line = report::counted(counts.all(), "submission") + ":";
+    for (const auto& [verdict, count] : counts.verdicts)
+        line += fmt::format(" {} {}", count, toString(verdict));
+    if (counts.kept > 0)
+        line += fmt::format("\n{} kept from before: their inputs have not changed", counts.kept);
+    return line;
+}
+
+raytracer::ExitCode exitCodeOf(const RunCounts& counts, bool stopped) {
+    if (stopped) return raytracer::ExitCode::interrupted;
+    if (counts.verdicts.contains(Verdict::notGraded)) return raytracer::ExitCode::notGradable;
+    return counts.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
 }
 
 }  // namespace ticker::cli

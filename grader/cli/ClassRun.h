@@ -7,8 +7,12 @@
 #include <grader/result/SubmissionResult.h>
 #include <grader/store/Store.h>
 
+#include <raytracer/base/Error.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,8 +62,6 @@ public:
     /// Stores a result: a fresh one always, a kept one only if the store's row does not agree with
     /// it. Does nothing without a store.
     void index(const SubmissionResult& result, bool isKept);
-    /// Writes summary.csv and index.html of the whole class; without a store, neither.
-    void finish() const;
 
     /// A notice for the user about the store, or no text.
     [[nodiscard]] std::string notice() const { return store_ ? store_->notice() : ""; }
@@ -72,6 +74,22 @@ private:
     std::optional<FolderLock> lock_;
     std::optional<store::Store> store_;
 };
+
+/// Counts of the submissions that a run has finished so far.
+struct RunCounts {
+    std::map<Verdict, std::size_t> verdicts;
+    std::size_t kept = 0;        ///< results of an earlier run
+    std::size_t unexpected = 0;  ///< with another verdict than expected
+
+    [[nodiscard]] std::size_t all() const;
+};
+
+/// The verdicts in a line, and the number of kept results in another one.
+[[nodiscard]] std::string closingLine(const RunCounts& counts);
+
+/// The exit status of a run over a class.
+/// @param stopped  Ctrl-C ended it.
+[[nodiscard]] raytracer::ExitCode exitCodeOf(const RunCounts& counts, bool stopped);
 
 }  // namespace ticker::cli
 

@@ -66,8 +66,9 @@ const std::map<std::string, ClassFormat>& classFormats() {
     return kFormats;
 }
 
+/// No person has decided about these files.
 bool isOpen(const store::ClassEntry& entry) {
-    return !isDecided(entry);
+    return !isDecided(entry) || isStale(entry);
 }
 
 std::vector<StudentView> viewsOf(const std::vector<store::ClassEntry>& entries,
@@ -167,8 +168,9 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options) {
                     "For moodle, where a scale is used: its words for not awarded and awarded")
         ->delimiter(',')
         ->expected(2);
-    verb.add_flag("--decided-only", options.decidedOnly,
-                  "For moodle and canvas: only those about whom a person has decided");
+    verb.add_flag(
+        "--decided-only", options.decidedOnly,
+        "For moodle and canvas: only those about whose newest files a person has decided");
     addStudentView(verb, options.studentView);
 }
 
@@ -206,6 +208,7 @@ std::vector<fs::path> writeFormats(const fs::path& out,
         }
         std::ranges::move(files, std::back_inserter(written));
     }
+    warnOfStale(entries, options.decidedOnly);
     return written;
 }
 

@@ -20,8 +20,9 @@ struct FormatOptions {
     std::string assignment;          ///< canvas: its column in the gradebook
     std::string download;            ///< canvas: the zip of the submissions; empty: no comments
     std::vector<std::string> scale;  ///< moodle: words for "not awarded" and "awarded"
-    bool decidedOnly =
-        false;                ///< moodle, canvas: leave out marks that are only the tool's proposal
+    /// moodle, canvas: leave out marks that are only the tool's proposal, and those whose decision
+    /// is about an earlier hand-in
+    bool decidedOnly = false;
     std::string studentView;  ///< empty: the kit's own
 };
 
@@ -33,8 +34,9 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options);
 [[nodiscard]] std::vector<std::string> formatNames();
 
 /// Writes one file for each submission, such as `OUT/<submission>/gradescope.json`, or one file for
-/// the class in OUT; prints warnings on stderr. Students get the ticker's decision if there is one;
-/// the staff's files of the class contain the tool's verdicts.
+/// the class in OUT; prints warnings on stderr, also about decisions on an earlier hand-in.
+/// Students get the ticker's decision if there is one; the staff's files of the class contain the
+/// tool's verdicts.
 /// @return  The written files, in order. A format without a value for "could not be graded" writes
 ///          nothing for such a result, and removes the file of an earlier run.
 /// @throws raytracer::InputError if a file cannot be read or written.

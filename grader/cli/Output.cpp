@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Output.h>
 #include <grader/exercise/Exercise.h>
@@ -22,13 +23,6 @@ namespace ticker::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
-}
 
 // What would stay could pass for a part of the new hand-in.
 void removeWhole(const fs::path& path) {
@@ -99,8 +93,7 @@ std::string classPageOf(const std::vector<store::ClassEntry>& entries) {
     return report::classPage(resultsOf(entries), decisionsOf(entries));
 }
 
-void writeClass(const fs::path& out) {
-    const std::vector<store::ClassEntry> entries = store::readClass(out);
+void writeClass(const fs::path& out, const std::vector<store::ClassEntry>& entries) {
     writeAtomically(summaryOf(entries), out / "summary.csv");
     writeAtomically(classPageOf(entries), out / "index.html");
 }

@@ -22,10 +22,10 @@ namespace ticker::cli {
 /// @throws raytracer::InputError if a file cannot be written, moved or removed.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
 
-/// Writes OUT/summary.csv and OUT/index.html from the results below OUT, in the order of the
-/// submissions' names.
-/// @throws raytracer::InputError as `readResults`, and if a file cannot be written.
-void writeClass(const std::filesystem::path& out);
+/// Writes OUT/summary.csv and OUT/index.html.
+/// @param entries  The whole class.
+/// @throws raytracer::InputError if a file cannot be written.
+void writeClass(const std::filesystem::path& out, const std::vector<store::ClassEntry>& entries);
 
 /// The text of summary.csv: the tool's verdicts and the tickers' decisions.
 [[nodiscard]] std::string summaryOf(const std::vector<store::ClassEntry>& entries);

@@ -1,3 +1,4 @@
+#include <grader/base/ShellQuoted.h>
 #include <grader/cli/CommandTree.h>
 #include <grader/cli/VerbProgram.h>
 #include <grader/cli/texts/Version.h>
@@ -10,7 +11,6 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,20 +41,10 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
                   ExitCode::badInput);
 }
 
-std::string quoted(const std::string& word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word)
-        text += c == '\'' ? "'\\''" : std::string{c};
-    return text + "'";
-}
-
 std::string commandLine(const GlobalOptions& global, int argc, char** argv) {
     std::string line = global.command;
     for (int i = 1; i < argc; ++i)
-        line += " " + quoted(argv[i]);
+        line += " " + shellQuoted(argv[i]);
     return line;
 }
 
@@ -87,7 +77,7 @@ int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int ar
     GlobalOptions global;
     // The script tick runs this program under another name.
     const char* command = std::getenv("TICKER_COMMAND");
-    global.command = quoted(command != nullptr ? command : argv[0]);
+    global.command = shellQuoted(command != nullptr ? command : argv[0]);
     global.commandLine = commandLine(global, argc, argv);
     app.add_flag("--quiet", global.quiet, "Say nothing but errors");
     app.add_flag("--verbose", global.verbose, "Say more");

@@ -1,3 +1,4 @@
+#include <grader/base/ShellQuoted.h>
 #include <grader/cli/CommandTree.h>
 
 #include <fmt/core.h>
@@ -15,15 +16,9 @@ std::string joined(const std::vector<std::string>& words) {
 /// Text inside single quotes; `also` are further characters that get a backslash.
 std::string inSingleQuotes(const std::string& text, std::string_view also = {}) {
     std::string safe;
-    for (const char c : text) {
-        if (c == '\'')
-            safe += "'\\''";
-        else if (also.find(c) != std::string_view::npos)
-            safe += std::string{"\\"} + c;
-        else
-            safe += c;
-    }
-    return safe;
+    for (const char c : text)
+        safe += also.find(c) == std::string_view::npos ? std::string{c} : std::string{"\\"} + c;
+    return insideSingleQuotes(safe);
 }
 
 std::vector<std::string> namesOf(const std::vector<CommandTree>& verbs) {

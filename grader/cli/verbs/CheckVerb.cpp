@@ -52,15 +52,15 @@ void printForStudent(const SubmissionResult& result) {
     fmt::print("{}\n", report::wholeText(report::StudentView{result, policy}));
 }
 
-raytracer::ExitCode check(const CheckOptions& options) {
+raytracer::ExitCode check(const CheckOptions& options, const GlobalOptions& global) {
     pipeline::Grader grader = makeGrader(options.grade);
     grader.isAlone = true;
     const auto found = intake::findSubmissions(options.folder, *grader.exercise);
     if (found.size() != 1)
         throw raytracer::InputError(
             options.folder, 0,
-            fmt::format("{} here; check takes one (ticker grade takes many)",
-                        report::counted(found.size(), "submission")));
+            fmt::format("{} here; check takes one ({} grade takes many)",
+                        report::counted(found.size(), "submission"), global.command));
     const SubmissionResult result = pipeline::gradeSubmission(
         intake::readSubmission(found.front(), {.exercise = grader.exercise}), grader,
         seedOf(options.grade));
@@ -79,7 +79,7 @@ raytracer::ExitCode check(const CheckOptions& options) {
 
 }  // namespace
 
-Run addCheck(CLI::App& app, const GlobalOptions& /*global*/) {
+Run addCheck(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
     verb->add_option("folder", options->folder, "Folder or zip with the files")->required();
@@ -87,7 +87,7 @@ Run addCheck(CLI::App& app, const GlobalOptions& /*global*/) {
                      "Who reads it; student: what the policy in student-view.json allows")
         ->check(CLI::IsMember({"staff", "student"}));
     addGradeOptions(*verb, options->grade);
-    return [options] { return check(*options); };
+    return [options, &global] { return check(*options, global); };
 }
 
 }  // namespace ticker::cli

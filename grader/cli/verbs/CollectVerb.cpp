@@ -9,8 +9,12 @@
 
 #include <fmt/core.h>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
@@ -20,22 +24,46 @@ struct CollectOptions {
     std::string studentView;
 };
 
+/// The class without results that cannot be read.
+std::vector<store::ClassEntry> readableIn(const std::string& out, const store::Store& store) {
+    std::map<std::string, Decision> decisions;
+    for (Decision& decision : store.decisions())
+        decisions[decision.submission] = std::move(decision);
+    std::vector<store::ClassEntry> entries;
+    for (const store::ResultRow& row : store.results()) {
+        auto result = store::readWholeResult(out, row.submission);
+        if (!result) continue;
+        store::ClassEntry entry{std::move(*result), {}};
+        if (const auto found = decisions.find(row.submission); found != decisions.end())
+            entry.decision = std::move(found->second);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
 raytracer::ExitCode collect(const CollectOptions& options, const GlobalOptions& global) {
     const std::string& out = options.out;
-    if (!std::filesystem::is_directory(out))
-        throw raytracer::InputError(out, 0, "is no folder; expected one with results below");
+    std::error_code error;
+    if (!std::filesystem::is_directory(out, error))
+        throw raytracer::InputError(out, 0,
+                                    (error ? error.message() : std::string{"is no folder"}) +
+                                        "; expected a folder with results below");
     store::Store store{out};
     if (!store.notice().empty()) fmt::print(stderr, "ticker: {}\n", store.notice());
     const store::Collected collected = store::collect(out, store);
     for (const std::string& problem : collected.unreadable)
         fmt::print(stderr, "ticker: {}\n", problem);
-    if (!rememberOrigin(store, readResults(out)))
+    const std::vector<store::ClassEntry> entries = readableIn(out, store);
+    if (entries.empty())
+        throw raytracer::InputError(
+            out, 0, "holds no result that can be read; expected folders with a result.json");
+    if (!rememberOrigin(store, resultsOf(entries)))
         fmt::print(stderr,
                    "ticker: the results of {} have more than one seed; grade --resume keeps those "
                    "with its own alone, which --seed sets\n",
                    out);
-    writeClass(out);
-    writeStudentPages(out, store::readClass(out), options.studentView);
+    writeClass(out, entries);
+    writeStudentPages(out, entries, options.studentView);
     if (!global.quiet)
         fmt::print(stderr, "{} taken in, {} known already\nopen {}/index.html\n",
                    report::counted(collected.taken, "result"), collected.known, out);

@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
@@ -15,7 +16,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace ticker::cli {
@@ -78,10 +78,7 @@ Map spread(const Map& tiles, int tileSize, int width, int height) {
 }
 
 void writeMaps(const Comparison& comparison, const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
+    makeFolder(folder);
     for (const metrics::Row& row : comparison.rows) {
         if (row.map.values.empty()) continue;
         Map map = row.map;

@@ -7,10 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <thread>
 
@@ -83,9 +81,15 @@ bool showDisk() {
     }
     const auto space = std::filesystem::space(folder, error);
     const bool enough = !error && space.available >= kEnough;
+    const std::string found =
+        error ? error.message()
+              : fmt::format("{:.1f} GB free", static_cast<double>(space.available) / 1e9);
     row("disk", enough,
-        fmt::format("{:.1f} GB free for temporary files",
-                    error ? 0.0 : static_cast<double>(space.available) / 1e9));
+        fmt::format("{} for temporary files in {}{}", found, folder.string(),
+                    enough ? ""
+                           : fmt::format("; {:.1f} GB are enough: free some, or set TMPDIR to a "
+                                         "folder of another disk",
+                                         static_cast<double>(kEnough) / 1e9)));
     return enough;
 }
 

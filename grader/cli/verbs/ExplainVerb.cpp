@@ -15,6 +15,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace ticker::cli {
@@ -63,16 +64,16 @@ void print(const TaskReport& task, const SubmissionResult& result) {
 }
 
 // A reason that several tasks share is printed once.
-void printBlocked(const SubmissionResult& result) {
+void printBlocked(const SubmissionResult& result, const std::string& command) {
     std::set<std::string> said;
     for (const TaskReport& task : result.tasks)
         if (task.state == TaskState::blocked && said.insert(task.reason).second)
             fmt::print("{}: {}: {}\n", task.id, report::wordsFor(task),
                        report::escapeLine(task.reason));
-    if (!said.empty()) fmt::print("ticker check shows the whole diagnosis.\n");
+    if (!said.empty()) fmt::print("{} check shows the whole diagnosis.\n", command);
 }
 
-void printRepairs(const SubmissionResult& result) {
+void printRepairs(const SubmissionResult& result, const std::string& command) {
     bool anyFailed = false;
     for (const TaskReport& task : result.tasks) {
         if (!repair::isExplainable(task)) continue;
@@ -80,13 +81,13 @@ void printRepairs(const SubmissionResult& result) {
         print(task, result);
     }
     if (!anyFailed) fmt::print(kNothingToMend);
-    printBlocked(result);
+    printBlocked(result, command);
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
 }
 
 /// What a class's results say.
-void printClass(const std::filesystem::path& out) {
+void printClass(const std::filesystem::path& out, const std::string& command) {
     const std::vector<store::ClassEntry> entries = store::readClass(out);
     bool anyPrinted = false;
     std::size_t unsearched = 0;
@@ -95,20 +96,22 @@ void printClass(const std::filesystem::path& out) {
         if (!entry.result.repairs) continue;
         anyPrinted = true;
         fmt::print("{}\n", report::escapeLine(entry.result.submission));
-        printRepairs(entry.result);
+        printRepairs(entry.result, command);
     }
     if (unsearched > 0)
         fmt::print(stderr,
-                   "no edits were looked for in {} of {}; ticker grade with --explain failed "
-                   "--resume looks for them\n",
-                   unsearched, report::counted(entries.size(), "submission"));
+                   "no edits were looked for in {} of {}; {} grade with --explain failed --resume "
+                   "looks for them\n",
+                   unsearched, report::counted(entries.size(), "submission"), command);
     else if (!anyPrinted)
         fmt::print(kNothingToMend);
 }
 
-raytracer::ExitCode explain(const ExplainOptions& options) {
-    if (std::filesystem::exists(std::filesystem::path{options.folder} / "results.sqlite")) {
-        printClass(options.folder);
+raytracer::ExitCode explain(const ExplainOptions& options, const std::string& command) {
+    std::error_code ignored;
+    if (std::filesystem::exists(std::filesystem::path{options.folder} / "results.sqlite",
+                                ignored)) {
+        printClass(options.folder, command);
         return raytracer::ExitCode::success;
     }
     pipeline::Grader grader = makeGrader(options.grade);
@@ -117,20 +120,20 @@ raytracer::ExitCode explain(const ExplainOptions& options) {
     if (found.size() != 1)
         throw raytracer::InputError(
             options.folder, 0,
-            fmt::format("{} here; explain takes one (ticker grade --explain failed takes many)",
-                        report::counted(found.size(), "submission")));
+            fmt::format("{} here; explain takes one ({} grade --explain failed takes many)",
+                        report::counted(found.size(), "submission"), command));
     const intake::Submission submission =
         intake::readSubmission(found.front(), {.exercise = grader.exercise});
     SubmissionResult result = pipeline::gradeSubmission(submission, grader, seedOf(options.grade));
     addRepairs(submission, grader, result);
-    printRepairs(result);
+    printRepairs(result, command);
     return result.verdict == Verdict::notGraded ? raytracer::ExitCode::notGradable
                                                 : raytracer::ExitCode::success;
 }
 
 }  // namespace
 
-Run addExplain(CLI::App& app, const GlobalOptions& /*global*/) {
+Run addExplain(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<ExplainOptions>();
     CLI::App* verb = app.add_subcommand(
         "explain", "The lines of a failing submission, with edits that are proven to mend it");
@@ -139,7 +142,7 @@ Run addExplain(CLI::App& app, const GlobalOptions& /*global*/) {
                      "--explain failed")
         ->required();
     addGradeOptions(*verb, options->grade);
-    return [options] { return explain(*options); };
+    return [options, &global] { return explain(*options, global.command); };
 }
 
 }  // namespace ticker::cli

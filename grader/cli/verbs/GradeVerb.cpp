@@ -1,3 +1,4 @@
+#include <grader/base/ShellQuoted.h>
 #include <grader/cli/Batch.h>
 #include <grader/cli/ClassPaths.h>
 #include <grader/cli/ClassRun.h>
@@ -11,6 +12,7 @@
 #include <grader/cli/verbs/Verb.h>
 #include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
+#include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
 
@@ -20,7 +22,6 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,33 +53,11 @@ bool asItsFolderSays(const intake::Located& located, const SubmissionResult& res
     return located.path.parent_path().filename() == toString(result.verdict);
 }
 
-/// Counts of the submissions so far.
-struct Tally {
-    std::map<Verdict, std::size_t> verdicts;
-    std::size_t kept = 0;
-    std::size_t unexpected = 0;
-
-    [[nodiscard]] std::size_t all() const {
-        std::size_t sum = 0;
-        for (const auto& [verdict, count] : verdicts)
-            sum += count;
-        return sum;
-    }
-};
-
-std::string closingLine(const Tally& tally) {
-    std::string line = report::counted(tally.all(), "submission") + ":";
-    for (const auto& [verdict, count] : tally.verdicts)
-        line += fmt::format(" {} {}", count, toString(verdict));
-    if (tally.kept > 0)
-        line += fmt::format("\n{} kept from before: their inputs have not changed", tally.kept);
-    return line;
-}
-
-raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
-    if (stopped) return raytracer::ExitCode::interrupted;
-    if (tally.verdicts.contains(Verdict::notGraded)) return raytracer::ExitCode::notGradable;
-    return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
+/// Whether a repeated command grades again what this run has graded: "older" alone concerns no
+/// result of today's ticker.
+bool gradesAgain(const BatchOptions& options) {
+    return std::ranges::any_of(options.regrade,
+                               [](const std::string& word) { return word != "older"; });
 }
 
 /// The command that continues a stopped run. Without a store the seed is stored nowhere, so that
@@ -90,38 +69,41 @@ std::string commandToGoOn(const BatchOptions& options, const GlobalOptions& glob
            (options.resume ? "" : " --resume");
 }
 
-void report(const Tally& tally, std::size_t total, const BatchOptions& options,
+void report(const RunCounts& counts, std::size_t total, const BatchOptions& options,
             const GlobalOptions& global, bool stopped, std::uint64_t seed) {
-    if (!global.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
+    if (!global.quiet) fmt::print(stderr, "{}\n", closingLine(counts));
     if (!global.quiet && !options.resultsOnly)
-        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
-                   options.out, global.command);
-    if (tally.unexpected > 0)
+        fmt::print(stderr, "open {}, or decide in a browser: {} session {}\n",
+                   shellQuoted(options.out + "/index.html"), global.command,
+                   shellQuoted(options.out));
+    if (counts.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
-                   tally.unexpected, tally.all());
-    if (stopped && tally.all() == total)
+                   counts.unexpected, counts.all());
+    if (stopped && counts.all() == total)
         fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
     else if (stopped)
-        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}\n",
-                   tally.all(), total, commandToGoOn(options, global, seed));
+        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept{}. Go on with\n  {}\n",
+                   counts.all(), total,
+                   gradesAgain(options) ? ", but --regrade grades those that it names again" : "",
+                   commandToGoOn(options, global, seed));
 }
 
 /// Prints and counts one result.
 void take(const intake::Located& located, const SubmissionResult& result, bool isKept,
-          const BatchOptions& options, Progress& progress, Tally& tally) {
+          const BatchOptions& options, Progress& progress, RunCounts& counts) {
     std::string line = tableLine(result);
     if (isKept) line += "  [kept]";
     if (options.expectFolders && !asItsFolderSays(located, result)) {
-        ++tally.unexpected;
+        ++counts.unexpected;
         line += fmt::format("  [expected {}]", located.path.parent_path().filename().string());
     }
     progress.print(line);
     progress.finished(result.verdict, isKept);
-    ++tally.verdicts[result.verdict];
-    if (isKept) ++tally.kept;
+    ++counts.verdicts[result.verdict];
+    if (isKept) ++counts.kept;
 }
 
-// Of this process, without its child processes.
+/// Peak memory of this process, without children.
 long peakMegabytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -143,6 +125,44 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const GlobalO
                    options.out, report::counted(earlier, "result"));
 }
 
+/// What a batch does with each submission. All arguments outlive the batch.
+BatchHooks hooksOf(ClassRun& run, const pipeline::Grader& grader, const BatchOptions& options,
+                   Progress& progress, RunCounts& counts) {
+    return {.known = [&](const intake::Located& located,
+                         const Inputs& inputs) -> std::optional<SubmissionResult> {
+                auto known = run.known(located.name, inputs);
+                const bool isWhole = options.explain.empty() || (known && !wantsRepairs(*known));
+                return isWhole ? std::move(known) : std::nullopt;
+            },
+            .complete =
+                [&](const intake::Submission& submission, SubmissionResult& result) {
+                    if (!options.explain.empty()) addRepairs(submission, grader, result);
+                },
+            .write = [&](const SubmissionResult& result) { run.write(result); },
+            .take =
+                [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
+                    run.index(result, isKept);
+                    take(located, result, isKept, options, progress, counts);
+                }};
+}
+
+/// Writes what is made of the whole class: the tables and the students' pages, for which a store is
+/// needed, and the formats.
+void writeWhole(const ClassRun& run, const BatchOptions& options) {
+    const bool hasClass = run.size() > 0;
+    const bool hasFormats = !options.formats.names.empty();
+    if (!hasClass && !hasFormats) return;
+    const std::vector<store::ClassEntry> entries = store::readClass(options.out);
+    if (hasClass) {
+        writeClass(options.out, entries);
+        writeStudentPages(options.out, entries, options.formats.studentView);
+    }
+    if (hasFormats)
+        writeFormats(options.out, entries, options.formats);
+    else
+        warnOfStale(entries, options.formats.decidedOnly);
+}
+
 raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& global) {
     std::vector<intake::Located> submissions = locate(options.from);
     expectOneExercise(options.from, submissions);
@@ -158,37 +178,17 @@ raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& glob
         run.settleSeed(options.grade.seed, options.keepsResults(), seedOf(options.grade));
     const std::atomic<bool>& stop = catchInterrupts();
 
-    Tally tally;
+    RunCounts counts;
     {
         Progress progress{submissions.size(), mayDraw(global.quiet)};
-        gradeAll(
-            submissions, grader, seed, workersOf(options), stop,
-            {.known = [&](const intake::Located& located,
-                          const Inputs& inputs) -> std::optional<SubmissionResult> {
-                 auto known = run.known(located.name, inputs);
-                 const bool isWhole = options.explain.empty() || (known && !wantsRepairs(*known));
-                 return isWhole ? std::move(known) : std::nullopt;
-             },
-             .complete =
-                 [&](const intake::Submission& submission, SubmissionResult& result) {
-                     if (!options.explain.empty()) addRepairs(submission, grader, result);
-                 },
-             .write = [&](const SubmissionResult& result) { run.write(result); },
-             .take =
-                 [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
-                     run.index(result, isKept);
-                     take(located, result, isKept, options, progress, tally);
-                 }});
+        gradeAll(submissions, grader, seed, workersOf(options), stop,
+                 hooksOf(run, grader, options, progress, counts));
     }
-    run.finish();
-    if (run.size() > 0)
-        writeStudentPages(options.out, store::readClass(options.out), options.formats.studentView);
-    if (!options.formats.names.empty())
-        writeFormats(options.out, store::readClass(options.out), options.formats);
-    report(tally, submissions.size(), options, global, stop, seed);
+    writeWhole(run, options);
+    report(counts, submissions.size(), options, global, stop, seed);
     if (!skipped.empty()) fmt::print(stderr, "ticker: {}\n", skipped);
     if (global.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
-    return exitCodeOf(tally, stop);
+    return exitCodeOf(counts, stop);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/GradeOptions.h>
@@ -13,6 +14,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -83,14 +85,13 @@ raytracer::ExitCode pack(const PackageOptions& options, const GlobalOptions& glo
         return known.name == options.kind;
     });
     const fs::path folder = fs::path{options.file}.parent_path();
-    std::error_code error;
-    if (!folder.empty() && !fs::is_directory(folder)) fs::create_directories(folder, error);
-    if (error)
-        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
+    if (!folder.empty()) makeFolder(folder);
     kind->write(options);
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(options.file, error);
     if (!global.quiet)
-        fmt::print(stderr, "{}: {}, {:.1f} MB\n", options.file, kind->whatItIs,
-                   static_cast<double>(fs::file_size(options.file)) / 1e6);
+        fmt::print(stderr, "{}: {}{}\n", options.file, kind->whatItIs,
+                   error ? "" : fmt::format(", {:.1f} MB", static_cast<double>(size) / 1e6));
     return raytracer::ExitCode::success;
 }
 

@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
@@ -17,6 +18,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -74,12 +76,15 @@ oracle::ReferenceListener listener(bool quiet) {
 
 raytracer::ExitCode checkThem(const std::filesystem::path& folder,
                               const std::vector<oracle::ReferenceScene>& scenes,
-                              const oracle::ReferenceOptions& options, bool quiet) {
-    if (!std::filesystem::exists(folder / "manifest.json"))
-        throw raytracer::InputError(folder.string(), 0,
-                                    "holds no references; `ticker refs` makes them");
+                              const oracle::ReferenceOptions& options,
+                              const GlobalOptions& global) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder / "manifest.json", ignored))
+        throw raytracer::InputError(
+            folder.string(), 0,
+            fmt::format("holds no references; {} refs makes them", global.command));
     bool allPassed = true;
-    const auto checks = oracle::checkReferences(folder, scenes, options, listener(quiet));
+    const auto checks = oracle::checkReferences(folder, scenes, options, listener(global.quiet));
     for (const oracle::ReferenceCheck& one : checks) {
         fmt::print("{:<6} {}\n", one.passed ? "ok" : "DRIFT", one.message);
         allPassed = allPassed && one.passed;
@@ -106,8 +111,8 @@ raytracer::ExitCode refs(const RefsOptions& options, const GlobalOptions& global
     oracle::ReferenceOptions how;
     how.seed = std::random_device{}();
     how.toolVersion = TICKER_VERSION;
-    if (options.check) return checkThem(folder, scenes, how, global.quiet);
-    std::filesystem::create_directories(folder);
+    if (options.check) return checkThem(folder, scenes, how, global);
+    makeFolder(folder);
     if (!oracle::writeReferences(folder, scenes, how, listener(global.quiet)))
         return raytracer::ExitCode::interrupted;
     fmt::print("{} references in {}\n", scenes.size(), folder.string());

@@ -63,7 +63,7 @@ public:
         const std::uint64_t now = view_.changes();
         if (now == written_) return;
         try {
-            writeClass(out_);
+            writeClass(out_, store::readClass(out_));
             written_ = now;
             printed_.clear();
         } catch (const std::exception& error) {
@@ -114,8 +114,9 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
     }
     // The store has the decisions; this updates the tables for readers, and an error decides the
     // exit code.
-    writeClass(options.out);
-    writeStudentPages(options.out, store::readClass(options.out), options.studentView);
+    const std::vector<store::ClassEntry> entries = store::readClass(options.out);
+    writeClass(options.out, entries);
+    writeStudentPages(options.out, entries, options.studentView);
     return raytracer::ExitCode::success;
 }
 

@@ -3,10 +3,16 @@
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/Output.h>
+#include <grader/report/Escape.h>
+#include <grader/report/ReportWords.h>
 #include <grader/report/student/StudentPage.h>
 #include <grader/result/ResultJson.h>
 
 #include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+
+#include <cstdio>
 
 namespace ticker::cli {
 namespace {
@@ -45,6 +51,31 @@ report::StudentPolicy policyFrom(const std::string& file) {
 
 bool isDecided(const store::ClassEntry& entry) {
     return entry.decision && entry.decision->ruling != Ruling::undecided;
+}
+
+bool isStale(const store::ClassEntry& entry) {
+    return isDecided(entry) && !entry.decision->files.empty() &&
+           entry.decision->files != entry.result.inputs.files;
+}
+
+void warnOfStale(const std::vector<store::ClassEntry>& entries, bool decidedOnly) {
+    constexpr std::size_t kMostNames = 10;
+    std::size_t count = 0;
+    std::string names;
+    for (const store::ClassEntry& entry : entries) {
+        if (!isStale(entry)) continue;
+        const std::string name = report::escapeLine(entry.result.submission);
+        if (count < kMostNames) names += (names.empty() ? "" : ", ") + name;
+        if (count == kMostNames) names += ", ...";
+        ++count;
+    }
+    if (count == 0) return;
+    fmt::print(
+        stderr,
+        "ticker: {} {} about an earlier hand-in ({}); look at {} in a session (Show: changed "
+        "since decided) before you upload{}\n",
+        report::counted(count, "decision"), count == 1 ? "is" : "are", names,
+        count == 1 ? "it" : "them", decidedOnly ? "; --decided-only leaves their marks out" : "");
 }
 
 report::StudentView studentViewOf(const store::ClassEntry& entry,

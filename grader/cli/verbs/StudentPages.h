@@ -24,6 +24,13 @@ void addStudentView(CLI::App& verb, std::string& file);
 /// True if a ticker has decided about the submission.
 [[nodiscard]] bool isDecided(const store::ClassEntry& entry);
 
+/// True if the decision is about other files than the result: those of an earlier hand-in.
+[[nodiscard]] bool isStale(const store::ClassEntry& entry);
+
+/// Prints a warning on stderr that names the submissions with a stale decision, if there are any.
+/// @param decidedOnly  Their marks are not written, and the warning says so.
+void warnOfStale(const std::vector<store::ClassEntry>& entries, bool decidedOnly);
+
 /// The student's view of the valid result: the ticker's decision, or the tool's proposal.
 [[nodiscard]] report::StudentView studentViewOf(const store::ClassEntry& entry,
                                                 const report::StudentPolicy& policy);

@@ -71,6 +71,22 @@ TEST(ClassPaths, GiveNoTwoSubmissionsOneName) {
         << "a folder's own name comes before one that is made up";
 }
 
+TEST(ClassPaths, OfAShareAreEveryNthByName) {
+    const auto namesIn = [](const std::string& share) {
+        std::vector<std::string> names;
+        for (const intake::Located& located :
+             shareOf({{"ann", ""}, {"bob", ""}, {"cyd", ""}, {"dan", ""}}, share))
+            names.push_back(located.name);
+        return names;
+    };
+    EXPECT_EQ(namesIn("2/3"), std::vector<std::string>{"bob"});
+    EXPECT_EQ(namesIn("1/3"), (std::vector<std::string>{"ann", "dan"}));
+    EXPECT_EQ(namesIn("5/18446744073709551615"), std::vector<std::string>{});
+    for (const char* wrong :
+         {"1/-1", "-1/2", "+1/2", "1 / 2", "1/", "/1", "", "1/2/3", "1/18446744073709551616"})
+        EXPECT_THROW(static_cast<void>(namesIn(wrong)), raytracer::InputError) << wrong;
+}
+
 TEST(ClassPaths, LeaveOutTheFolderOfTheResults) {
     const tests::TemporaryFolder folder;
     folder.write("ann/Renderer.cpp", "x");

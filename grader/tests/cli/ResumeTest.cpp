@@ -111,6 +111,28 @@ TEST_F(Resume, OffersNothingMoreWhereCtrlCCameAfterTheLastHadBegun) {
     EXPECT_EQ(errors().find("--resume"), std::string::npos) << errors();
 }
 
+TEST_F(Resume, SaysThatARegradeBeginsAnewAfterCtrlC) {
+    run(gradeCommand("out", {"--seed", "5"}));
+    RunningTicker ticker{gradeCommand("out", {"--regrade", "all"}), at("errors").string()};
+    ASSERT_TRUE(ticker.readLine());
+    ticker.send(SIGINT);
+    EXPECT_EQ(ticker.wait(), 130);
+    EXPECT_NE(errors().find("they are kept, but --regrade grades those that it names again"),
+              std::string::npos)
+        << errors();
+}
+
+TEST_F(Resume, CollectsAllResultsButADamagedOne) {
+    run(gradeCommand("out", {"--seed", "5"}));
+    fs::remove(at("out") / "summary.csv");
+    std::ofstream{at("out") / "ann" / "result.json"} << "{";
+    run({"collect", at("out").string()}, 3);
+    EXPECT_NE(errors().find("ann/result.json"), std::string::npos) << errors();
+    const std::string summary = textOf(at("out") / "summary.csv");
+    EXPECT_EQ(summary.find("\nann,"), std::string::npos) << summary;
+    EXPECT_NE(summary.find("bob, jr"), std::string::npos) << summary;
+}
+
 TEST_F(Resume, CollectsWhatNodesWroteIntoTheSameSummary) {
     run(gradeCommand("local", {"--seed", "5"}));
     run(gradeCommand("nodes", {"--seed", "5", "--results-only"}));

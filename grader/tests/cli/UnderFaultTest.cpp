@@ -145,6 +145,14 @@ TEST_P(FullDisk, IsNeverTheStudentsFault) {
     }
 }
 
+TEST_P(FullDisk, IsNamedByDoctorWithWhatToDo) {
+    const Ran ran = run("doctor");
+    EXPECT_NE(ran.output.find("temporary files in " + at("small").string() +
+                              "; 1.1 GB are enough: free some, or set TMPDIR"),
+              std::string::npos)
+        << ran.output;
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("3m", "5m", "20m"),
                          [](const auto& size) { return std::string{size.param}; });
 
