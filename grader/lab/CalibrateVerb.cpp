@@ -14,7 +14,6 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -49,12 +48,6 @@ Places placesOf(const Home& home) {
     return {home.data / "docs/calibration.md", home.data / "grader/lab/calibrate/record"};
 }
 
-void write(const fs::path& file, const std::string& text) {
-    std::ofstream stream{file, std::ios::binary};
-    stream << text << std::flush;
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be written");
-}
-
 // Prints the tables, and updates the document and the committed record.
 bool publish(const Campaign& campaign, const Record& record, const std::vector<Stamp>& stamps,
              const Places& places) {
@@ -68,8 +61,9 @@ bool publish(const Campaign& campaign, const Record& record, const std::vector<S
     fmt::print("{}{}\n{}\n", campaign.name(), summary.asExpected ? "" : ": NOT AS EXPECTED", text);
     std::fflush(stdout);
     record.copyTo(places.record);
-    write(places.document,
-          calibrate::withSection(readIfThere(places.document).value_or(""), campaign.name(), text));
+    writeAtomically(
+        calibrate::withSection(readIfThere(places.document).value_or(""), campaign.name(), text),
+        places.document);
     return summary.asExpected;
 }
 

@@ -63,7 +63,13 @@ std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::Rep
     return rows;
 }
 
-std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOptions& options) {
+/// What one exercise, or several, give to the tables.
+struct Repairs {
+    std::size_t entries = 0;  ///< that fit the options, also those without a row yet
+    std::vector<lab::RepairRow> rows;
+};
+
+Repairs repairsOf(const Exercise& exercise, const RepairsOptions& options) {
     GradeOptions grade = options.grade;
     grade.exercise = exercise.name;
     const pipeline::Grader grader = makeGrader(grade);
@@ -71,19 +77,24 @@ std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOption
         corpus::readEntries(Home::find().data, options.choice.collections, exercise);
     const lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
     lab::RepairRecord record{options.record};
-    return rowsOf(campaign, record, options.report);
+    return {campaign.size(), rowsOf(campaign, record, options.report)};
 }
 
 raytracer::ExitCode repairs(const RepairsOptions& options) {
     if (!options.grade.exercise.empty()) static_cast<void>(exerciseNamed(options.grade.exercise));
     const lab::SeveralMistakes several = lab::readSeveralMistakes(Home::find().data);
-    std::vector<lab::RepairRow> rows;
+    Repairs all;
     for (const Exercise& exercise : knownExercises()) {
         if (!options.grade.exercise.empty() && options.grade.exercise != exercise.name) continue;
-        const auto some = rowsOf(exercise, options);
-        rows.insert(rows.end(), some.begin(), some.end());
+        const Repairs some = repairsOf(exercise, options);
+        all.entries += some.entries;
+        all.rows.insert(all.rows.end(), some.rows.begin(), some.rows.end());
     }
-    const std::string tables = lab::tablesOf(rows, several);
+    if (all.entries == 0)
+        throw raytracer::InputError("", 0,
+                                    "no entry fits --task, --case, --collection and the other "
+                                    "options; nothing is written");
+    const std::string tables = lab::tablesOf(all.rows, several);
     fmt::print("\n{}", tables);
     if (options.write.empty()) return raytracer::ExitCode::success;
     const std::string before = readIfThere(options.write).value_or("");
@@ -111,7 +122,8 @@ Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
     verb->add_option("--fraction", options->choice.fraction, "Share of the entries to run")
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--record", options->record,
-                     "File that keeps every finished row, to go on after a stop");
+                     "File that keeps every finished row, to go on after a stop; delete it after a "
+                     "change of code or of --seed");
     verb->add_flag("--report", options->report, "Run nothing: the tables of the record so far");
     verb->add_option("--write", options->write,
                      "Writes the tables into a document, between its marks");

@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/base/WholeFile.h>
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
@@ -55,7 +56,7 @@ void writeCopies(const similar::Originals& originals, const fs::path& folder) {
     const std::size_t count = originals.files.size();
     for (std::size_t i = 0; i < count; ++i) {
         const fs::path target = folder / originals.file / originals.files[i].submission;
-        fs::create_directories(target);
+        makeFolder(target);
         std::ofstream{target / "original.cpp"} << originals.files[i].text;
         for (const similar::Disguise disguise : similar::kDisguises)
             std::ofstream{target / (std::string{similar::toString(disguise)} + ".cpp")}

@@ -11,7 +11,7 @@
 namespace ticker::calibrate {
 
 /// All campaigns, in the order of docs/calibration.md.
-/// @param data      The kit's folder, see cli/Home.h.
+/// @param data      The data folder, `Home::data`.
 /// @param programs  Must outlive the campaigns.
 /// @throws raytracer::InputError if the catalogue cannot be read.
 [[nodiscard]] std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,

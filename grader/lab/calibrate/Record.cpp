@@ -1,5 +1,6 @@
 #include <grader/lab/calibrate/Record.h>
 
+#include <grader/base/MakeFolder.h>
 #include <grader/base/WholeFile.h>
 
 #include <raytracer/base/Error.h>
@@ -15,9 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-void write(const std::filesystem::path& file, std::ios::openmode mode, const std::string& text) {
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream stream{file, mode | std::ios::binary};
+void append(const std::filesystem::path& file, const std::string& text) {
+    makeFolder(file.parent_path());
+    std::ofstream stream{file, std::ios::app | std::ios::binary};
     stream << text << std::flush;
     if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be written");
 }
@@ -67,7 +68,7 @@ void Record::add(std::size_t unit, const std::string& found, const Stamp& stamp)
     const std::lock_guard lock{mutex_};
     const bool first = !std::filesystem::exists(file_);
     const Line line{found, stamp};
-    write(file_, std::ios::app, (first ? header() : "") + lineOf(unit, line));
+    append(file_, (first ? header() : "") + lineOf(unit, line));
     found_.insert_or_assign(unit, line);
 }
 
@@ -102,7 +103,8 @@ void Record::copyTo(const std::filesystem::path& folder) const {
     std::string text = header();
     for (const auto& [unit, line] : found_)
         text += lineOf(unit, line);
-    write(folder / file_.filename(), std::ios::trunc, text);
+    makeFolder(folder);
+    writeAtomically(text, folder / file_.filename());
 }
 
 }  // namespace ticker::calibrate

@@ -41,7 +41,7 @@ public:
     /// In the order of the units.
     [[nodiscard]] std::vector<std::string> all() const;
 
-    /// Writes everything to another folder, sorted by unit.
+    /// Writes everything to another folder, sorted by unit; an earlier file is replaced whole.
     void copyTo(const std::filesystem::path& folder) const;
 
 private:

@@ -70,7 +70,7 @@ inline constexpr std::array<std::string_view, 8> kMeasuredInPictures{
 
 /// The catalogue's entries about that file's tasks applied to the reference, and the right
 /// solutions of grader/corpus/unseen and grader/corpus/samples.
-/// @param data  The kit's folder, see cli/Home.h.
+/// @param data  The data folder, `Home::data`.
 /// @throws raytracer::InputError if one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
 

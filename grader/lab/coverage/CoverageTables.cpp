@@ -72,6 +72,14 @@ std::string saidOf(const Outcome& outcome) {
     return inWords(outcome.failed.front()) + (more > 0 ? fmt::format(" (and {} more)", more) : "");
 }
 
+// A bar ends a cell of a Markdown table.
+std::string inCell(const std::string& text) {
+    std::string cell;
+    for (const char c : text)
+        cell += c == '|' ? "\\|" : std::string(1, c);
+    return cell;
+}
+
 std::string tableOf(const std::vector<Row>& rows, const std::string& task) {
     std::string table = fmt::format(
         "### {}\n\n| mistake | what it is | first failing test |\n"
@@ -79,8 +87,8 @@ std::string tableOf(const std::vector<Row>& rows, const std::string& task) {
         task);
     for (const Row& row : rows)
         if (row.one.task == task && !row.one.right)
-            table +=
-                fmt::format("| {} | {} | {} |\n", row.one.name, row.one.title, saidOf(row.outcome));
+            table += fmt::format("| {} | {} | {} |\n", row.one.name, inCell(row.one.title),
+                                 saidOf(row.outcome));
     return table + "\n";
 }
 

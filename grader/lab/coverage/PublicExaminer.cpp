@@ -1,6 +1,7 @@
 #include <grader/lab/coverage/PublicExaminer.h>
 
 #include <grader/base/JsonValue.h>
+#include <grader/base/ShellQuoted.h>
 #include <grader/base/WholeFile.h>
 
 #include <raytracer/base/Error.h>
@@ -17,10 +18,6 @@ namespace ticker::coverage {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string quoted(const fs::path& path) {
-    return "'" + path.string() + "'";  // our own paths contain no quotes
-}
 
 /// Exit status of a shell command; 128 and more if a signal ended it.
 int run(const std::string& command) {
@@ -82,9 +79,10 @@ Examiner::Examiner(fs::path root, const Exercise& exercise)
 bool Examiner::compile(const std::string& text, const std::string& name,
                        const fs::path& folder) const {
     std::ofstream{folder / (name + ".cpp")} << text;
-    return run("cd " + quoted(folder) + " && " TICKER_COMPILE " -std=c++20 -O1 -w -I" +
-               quoted(root_ / "student_template/framework/include") + " -c " + name +
-               ".cpp 2>/dev/null") == 0;
+    return run("cd " + shellQuoted(folder.string()) +
+               " && " TICKER_COMPILE " -std=c++20 -O1 -w -I" +
+               shellQuoted((root_ / "student_template/framework/include").string()) + " -c " +
+               name + ".cpp 2>/dev/null") == 0;
 }
 
 bool Examiner::build(const Case& one, const fs::path& folder) const {
@@ -94,10 +92,11 @@ bool Examiner::build(const Case& one, const fs::path& folder) const {
         const auto own = one.files.find(file);
         const bool isOwn = own != one.files.end();
         if (isOwn && !compile(own->second, name, folder)) return false;
-        objects += " " + quoted((isOwn ? folder : reference_.path()) / (name + ".o"));
+        objects +=
+            " " + shellQuoted(((isOwn ? folder : reference_.path()) / (name + ".o")).string());
     }
-    const std::string link = "cd " + quoted(folder) + " && " TICKER_LINK + objects + " @" +
-                             quoted(TICKER_LINK_FILE) + " -o public_tests 2>link.txt";
+    const std::string link = "cd " + shellQuoted(folder.string()) + " && " TICKER_LINK + objects +
+                             " @" + shellQuoted(TICKER_LINK_FILE) + " -o public_tests 2>link.txt";
     if (run(link) != 0) throw raytracer::Error("cannot link: " + readWhole(folder / "link.txt"));
     return true;
 }
@@ -114,7 +113,7 @@ Outcome Examiner::examine(const Case& one) const {
         if (task == one.task || isOf(task, one.task, exercise_))
             filter += (filter.empty() ? "" : ":") + suite + ".*";
     // A right solution takes less than a second of CPU time.
-    const int status = run("cd " + quoted(work.path()) +
+    const int status = run("cd " + shellQuoted(work.path().string()) +
                            " && ulimit -t 20 && timeout 120 ./public_tests --gtest_filter='" +
                            filter + "' --gtest_output=json:report.json >/dev/null 2>&1");
     if (status > 1) {

@@ -48,5 +48,16 @@ TEST(DecisionTables, CountDataRacesApartAndExpectThatNoneIsMissed) {
     EXPECT_NE(text.find("| exact mistakes that passed | 0 | 0 |"), std::string::npos);
 }
 
+TEST(DecisionTables, ListOnlyThoseWithAnUnexpectedResult) {
+    const Subject exact = mistake(std::string{tasks::kShadowWrong.id});
+    const std::string right = tables(exact, 0, 0).text;
+    EXPECT_EQ(right.find("T2.1/some-mistake"), std::string::npos);
+    EXPECT_NE(right.find("\n1 mistakes had the expected result in every decision"),
+              std::string::npos);
+    const std::string wrong = tables(exact, 1, 0).text;
+    EXPECT_NE(wrong.find("| T2.1/some-mistake | 100 | 1 |"), std::string::npos);
+    EXPECT_NE(wrong.find("\n0 mistakes had"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ticker::calibrate

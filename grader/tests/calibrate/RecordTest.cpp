@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace ticker::calibrate {
@@ -41,6 +42,22 @@ TEST(Record, DropsALineThatWasCutShort) {
     }
     EXPECT_EQ(Record(folder.path(), campaign).all(),
               (std::vector<std::string>{R"({"a":0})", R"({"a":2})"}));
+}
+
+// A second name of the earlier file keeps its bytes only if no one writes into that file.
+TEST(Record, ReplacesAnEarlierCopyWhole) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{2};
+    Record record{folder.path() / "own", campaign};
+    record.add(0, R"({"a":0})");
+    const std::filesystem::path copies = folder.path() / "copies";
+    record.copyTo(copies);
+    std::filesystem::create_hard_link(copies / "counting.jsonl", folder.path() / "earlier.jsonl");
+    record.add(1, R"({"a":1})");
+    record.copyTo(copies);
+    EXPECT_EQ(Record(copies, campaign).size(), 2U);
+    EXPECT_LT(std::filesystem::file_size(folder.path() / "earlier.jsonl"),
+              std::filesystem::file_size(copies / "counting.jsonl"));
 }
 
 TEST(Record, RefusesThatOfAnotherCampaign) {

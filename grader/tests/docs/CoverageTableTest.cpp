@@ -1,4 +1,4 @@
-// docs/for-instructors.md lists every known mistake and whether the public tests notice it.
+// docs/public-tests.md lists every known mistake and whether the public tests notice it.
 #include <grader/corpus/Entry.h>
 #include <grader/tests/support/Files.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 // A new mistake may be missing until the table is written again.
 TEST(CoverageTable, HasARowForNearlyEveryKnownMistake) {
-    const std::string page = tests::readFile("docs/for-instructors.md");
+    const std::string page = tests::readFile("docs/public-tests.md");
     int mistakes = 0;
     std::string missing;
     int missed = 0;
@@ -24,7 +24,7 @@ TEST(CoverageTable, HasARowForNearlyEveryKnownMistake) {
         missing += " " + mistake.name;
     }
     EXPECT_LT(missed * 20, mistakes)
-        << "./tick coverage --write docs/for-instructors.md adds" << missing;
+        << "./tick coverage --write docs/public-tests.md adds" << missing;
     EXPECT_GT(mistakes, 150);
 }
 

@@ -21,6 +21,9 @@ struct Tally {
     std::map<std::string, std::size_t> seen;
     Histogram cpu;  // of one task
 
+    [[nodiscard]] bool isAsExpected() const {
+        return wrongState == 0 && wrongName == 0 && reviews == 0;
+    }
     void add(const BlockRecord& block) {
         decisions += block.decisions;
         addResults(block);
@@ -111,10 +114,7 @@ Summary rightTables(const Sums& sums, const std::string& rows) {
         "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
-        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) +
-        "\n| right one | decisions | failed | to be looked at | saw instead |\n"
-        "|---|---|---|---|---|\n" +
-        rows;
+        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) + rows;
     return summary;
 }
 
@@ -136,10 +136,7 @@ Summary wrongTables(const Sums& sums, const std::string& rows) {
         "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
-        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) +
-        "\n| mistake | decisions | passed | 95 % bound | right name | saw instead |\n"
-        "|---|---|---|---|---|---|\n" +
-        rows;
+        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) + rows;
     return summary;
 }
 
@@ -158,7 +155,7 @@ std::string wrongRow(const Subject& subject, const Tally& tally) {
                        listOf(tally.seen));
 }
 
-// By the subjects' names.
+// Adds up the blocks of each subject; key: its name.
 std::map<std::string, Tally> talliesOf(const std::vector<Subject>& subjects,
                                        const std::vector<std::string>& records) {
     std::map<std::string, const Subject*> byName;
@@ -185,6 +182,7 @@ Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::st
     std::map<std::string, Tally> tallies = talliesOf(subjects, records);
     Sums sums;
     std::string rows;
+    std::size_t asExpected = 0;
     bool right = true;
     for (const Subject& subject : subjects) {
         const Tally& tally = tallies[subject.name];
@@ -193,8 +191,20 @@ Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::st
         sums.kindOf(subject).add(tally);
         right = subject.isRight();
         if (tally.decisions == 0) continue;
-        rows += right ? rightRow(subject, tally) : wrongRow(subject, tally);
+        if (tally.isAsExpected())
+            ++asExpected;
+        else
+            rows += right ? rightRow(subject, tally) : wrongRow(subject, tally);
     }
+    if (!rows.empty())
+        rows =
+            (right ? "\n| right one | decisions | failed | to be looked at | saw instead |\n"
+                     "|---|---|---|---|---|\n"
+                   : "\n| mistake | decisions | passed | 95 % bound | right name | saw instead |\n"
+                     "|---|---|---|---|---|---|\n") +
+            rows;
+    rows += fmt::format("\n{} {} had the expected result in every decision.\n", asExpected,
+                        right ? "right ones" : "mistakes");
     return right ? rightTables(sums, rows) : wrongTables(sums, rows);
 }
 
