@@ -8,7 +8,8 @@
 
 namespace ticker {
 
-/// SHA-256 over a list of texts, each with its length, so that no two lists give the same bytes.
+/// SHA-256 over a list of texts and files. A text is preceded by its length, so that no two lists
+/// of texts give the same bytes; a file is not.
 class Digest {
 public:
     Digest();
@@ -17,7 +18,8 @@ public:
     Digest& operator=(const Digest&) = delete;
 
     Digest& add(std::string_view text);
-    /// The bytes of a file; a file that cannot be opened counts as empty.
+    /// The bytes of a file, followed by an empty text; a file that cannot be opened counts as
+    /// empty.
     Digest& addFile(const std::filesystem::path& file);
 
     /// The first 128 bits in hexadecimal, which is enough against accidents and against students.

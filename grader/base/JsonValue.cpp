@@ -53,6 +53,14 @@ void refuseExcess(std::string_view text, const std::string& name) {
     }
 }
 
+/// The line of a number that is larger than any double. The parser's message quotes it.
+int lineOfNumber(std::string_view text, std::string_view said) {
+    const std::size_t quote = said.find('\'');
+    if (quote == std::string_view::npos) return 0;
+    const std::string_view number = said.substr(quote + 1, said.rfind('\'') - quote - 1);
+    return lineOfByte(text, text.find(number) + 1);
+}
+
 const ordered_json& jsonOf(const void* value) {
     return *static_cast<const ordered_json*>(value);
 }
@@ -78,6 +86,9 @@ JsonValue JsonValue::parse(std::string text, std::string name, JsonWords words) 
     } catch (const ordered_json::parse_error& error) {
         throw InputError(document->name, lineOfByte(document->text, error.byte),
                          fmt::format("not JSON: {}", error.what()));
+    } catch (const ordered_json::out_of_range& error) {
+        throw InputError(document->name, lineOfNumber(document->text, error.what()),
+                         "a number is too large");
     }
     const void* const root = &document->root;
     return {std::move(document), "", root};

@@ -101,7 +101,9 @@ std::optional<ExportedFile> readExportedPath(std::string_view path) {
 
 ClassExport readClassExport(const fs::path& exported, const Wanted& wanted) {
     std::error_code error;
-    if (fs::is_directory(exported, error)) return exportOf(membersOf(exported, wanted));
+    const fs::file_status status = fs::status(exported, error);
+    if (error) return {};  // in a folder that may be listed, not searched
+    if (fs::is_directory(status)) return exportOf(membersOf(exported, wanted));
     MemberList list = listArchive(exported);
     ClassExport found = exportOf(membersOf(std::move(list.paths), wanted.exercise));
     if (!found.owners.empty()) found.damage = std::move(list.damage);

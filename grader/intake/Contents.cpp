@@ -97,11 +97,14 @@ std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits) {
     return part == kScreenshotPart ? limits.screenshotBytes : limits.sourceBytes;
 }
 
-Finding tooLarge(std::string_view path, std::uint64_t limit) {
+Finding tooLarge(std::string_view path, std::uint64_t limit, const Exercise& exercise) {
     return refusal(
         kIntakeTooLarge,
         fmt::format("{} is larger than {} KiB.", raytracer::inQuotes(path), limit >> 10U),
-        "Hand in the file that you wrote, and the picture as tick1star writes it.");
+        exercise.hasScreenshot()
+            ? fmt::format("Hand in the file that you wrote, and the picture as {} writes it.",
+                          exercise.name)
+            : "Hand in the file that you wrote.");
 }
 
 raytracer::InputError unreadable(const std::filesystem::path& path, int error) {

@@ -68,7 +68,8 @@ struct Contents {
 /// Largest accepted size of a part.
 [[nodiscard]] std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits);
 /// The finding intake.too-large for one part.
-[[nodiscard]] Finding tooLarge(std::string_view path, std::uint64_t limit);
+[[nodiscard]] Finding tooLarge(std::string_view path, std::uint64_t limit,
+                               const Exercise& exercise);
 
 /// True for the name of a zip or tar archive.
 [[nodiscard]] bool isArchive(std::string_view path);

@@ -197,11 +197,13 @@ std::vector<Located> findSubmissions(const fs::path& path, const Exercise& exerc
     std::error_code error;
     const fs::path whole = fs::canonical(path, error);
     if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
+    const fs::file_status status = fs::status(whole, error);
+    if (error) throw unreadable(path, error.value());
     const Wanted wanted{exercise, out};
     std::vector<Place> found;
-    if (fs::is_directory(whole)) {
+    if (fs::is_directory(status)) {
         found = placesIn(whole, wanted);
-    } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
+    } else if (fs::is_regular_file(status) && isArchive(whole.filename().string())) {
         found = placesInDownload(whole, wanted);
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");

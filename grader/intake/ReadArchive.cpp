@@ -81,9 +81,9 @@ private:
 
     void readMember(archive_entry* entry) {
         std::string path = memberPath(entry);
-        auto his = pathInWork(owner_, path);
-        if (!his) return;
-        path = std::move(*his);
+        auto pathInside = pathInWork(owner_, path);
+        if (!pathInside) return;
+        path = std::move(*pathInside);
         const auto type = archive_entry_filetype(entry);
         if (++members_ > limits_.members)
             return refuse(kIntakeTooLarge,
@@ -135,7 +135,7 @@ private:
         }
         if (candidate.bytes.size() > limit) {
             candidate.bytes.clear();
-            candidate.refusal = tooLarge(path, limit);
+            candidate.refusal = tooLarge(path, limit, *limits_.exercise);
         }
         contents_.candidates.push_back(std::move(candidate));
     }

@@ -63,7 +63,7 @@ public:
             if (entry == nullptr && errno != 0) fail(prefix);
             if (entry == nullptr) break;
             const std::string name{entry->d_name};
-            if (name == "." || name == ".." || !isHis(prefix + name)) continue;
+            if (name == "." || name == ".." || !belongsToOwner(prefix + name)) continue;
             names.push_back(name);
             if (++members_ > limits_.members) return refuseCount();
         }
@@ -76,7 +76,7 @@ public:
 
 private:
     // In a folder, the first level alone decides the owner.
-    [[nodiscard]] bool isHis(const std::string& path) const {
+    [[nodiscard]] bool belongsToOwner(const std::string& path) const {
         return path.find('/') != std::string::npos || pathInWork(owner_, path);
     }
 
@@ -166,7 +166,7 @@ private:
                             raytracer::inQuotes(path)),
                 "Hand in the file itself.");
         else if (bytes->size() > limit)
-            result.refusal = tooLarge(path, limit);
+            result.refusal = tooLarge(path, limit, *limits_.exercise);
         else
             result.bytes = std::move(*bytes);
         return result;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace ticker::intake {
@@ -151,11 +152,18 @@ private:
         }
         if (noSource && !hinted)
             submission_.findings.push_back(
-                {std::nullopt,
-                 refusal(kIntakeMissingFile,
-                         (files.size() > 1 ? "There is neither " : "There is no ") +
-                             enumerated(files, "nor") + ".",
-                         "Hand in the file of the option that you chose, and screenshot.png.")});
+                {std::nullopt, refusal(kIntakeMissingFile,
+                                       (files.size() > 1 ? "There is neither " : "There is no ") +
+                                           enumerated(files, "nor") + ".",
+                                       whatToHandIn())});
+    }
+
+    [[nodiscard]] std::string whatToHandIn() const {
+        const std::string sources = exercise_.options.size() > 1
+                                        ? "the file of the option that you chose"
+                                        : enumerated(exercise_.files(), "and");
+        return fmt::format("Hand in {}{}.", sources,
+                           exercise_.hasScreenshot() ? ", and screenshot.png" : "");
     }
 
     const Exercise& exercise_;
@@ -167,7 +175,10 @@ private:
 }  // namespace
 
 Submission readSubmission(const Located& located, const IntakeLimits& limits) {
-    Contents contents = std::filesystem::is_directory(located.path)
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(located.path, error);
+    if (error) throw unreadable(located.path, error.value());
+    Contents contents = std::filesystem::is_directory(status)
                             ? readFolder(located.path, limits, located.owner, located.out)
                             : readArchive(located.path, limits, located.owner);
     openArchives(contents, limits);

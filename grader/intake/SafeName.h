@@ -6,8 +6,8 @@
 
 namespace ticker::intake {
 
-/// A name for a folder that can be made on any system, does not collide with OUT's own files, and
-/// is displayed harmlessly by shells and pages.
+/// A name for a folder that is valid on Linux and macOS file systems, does not collide with OUT's
+/// own files, and is displayed harmlessly by shells and pages.
 [[nodiscard]] std::string safeName(const std::string& wanted);
 
 /// The name, with a number appended if it is taken; adds the result to `taken`.

@@ -1,5 +1,7 @@
 #include <grader/intake/TaskText.h>
 
+#include <grader/base/Trimmed.h>
+
 #include <cctype>
 
 namespace ticker::intake {
@@ -11,14 +13,6 @@ bool isSpace(char c) {
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isSpace(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isSpace(text.back()))
-        text.remove_suffix(1);
-    return text;
 }
 
 bool isClosedComment(std::string_view text) {

@@ -1,3 +1,4 @@
+#include <grader/base/Trimmed.h>
 #include <grader/result/ProvenLine.h>
 
 #include <nlohmann/json.hpp>
@@ -5,16 +6,6 @@
 #include <set>
 
 namespace ticker {
-namespace {
-
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view kSpace = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(kSpace);
-    if (first == std::string_view::npos) return {};
-    return std::string{text.substr(first, text.find_last_not_of(kSpace) - first + 1)};
-}
-
-}  // namespace
 
 std::vector<ProvenLine> provenLines(const SubmissionResult& result) {
     std::vector<ProvenLine> lines;
@@ -22,8 +13,8 @@ std::vector<ProvenLine> provenLines(const SubmissionResult& result) {
     for (const Repair& repair : result.repairs.value_or(std::vector<Repair>{})) {
         if (!repair.proven || !repair.next.empty() || !done.insert(repair.task).second) continue;
         for (const RepairEdit& edit : repair.edits)
-            lines.push_back(
-                {repair.task, repair.file, edit.line, trimmed(edit.from), trimmed(edit.to)});
+            lines.push_back({repair.task, repair.file, edit.line, std::string{trimmed(edit.from)},
+                             std::string{trimmed(edit.to)}});
     }
     return lines;
 }

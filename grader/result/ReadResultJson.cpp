@@ -5,10 +5,10 @@
 #include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -162,12 +162,13 @@ Option readOption(const JsonValue& place) {
 }
 
 std::uint64_t readSeed(const JsonValue& place) {
-    const std::string text = place.text();
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error != std::errc{} || end != text.data() + text.size())
-        place.expect("a whole number in a string");
-    return seed;
+    const auto seed = raytracer::parseCount(place.text());
+    if (!seed) place.expect("a whole number in a string");
+    return *seed;
+}
+
+Inputs readInputs(const JsonValue& place) {
+    return {place.at("files").text(), place.at("tool").text(), place.at("how").text()};
 }
 
 }  // namespace
@@ -178,7 +179,8 @@ SubmissionResult readResultJson(const std::filesystem::path& file) {
     if (error) throw InputError(file.string(), 0, "cannot be read; expected a result.json");
     if (size > kLargestFile)
         throw InputError(file.string(), 0, fmt::format("{} bytes: too large for a result", size));
-    return parseResultJson(readIfThere(file).value_or(""), file.string());
+    return parseResultJson(readWhole(file, "cannot be read; expected a result.json"),
+                           file.string());
 }
 
 SubmissionResult parseResultJson(const std::string& text, const std::string& name) {
@@ -189,8 +191,8 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     result.submission = top.at("submission").text();
     if (top.has("exercise")) result.exercise = top.at("exercise").text();
     result.verdict = oneOf(kVerdictNames, top.at("verdict"));
-    result.score = realOf(top.at("score"));
-    result.maxScore = realOf(top.at("maxScore"));
+    result.score = top.at("score").number();
+    result.maxScore = top.at("maxScore").number();
     result.option = top.at("option").text();
     if (top.has("options"))
         for (const JsonValue& option : top.at("options").items())
@@ -198,11 +200,7 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     result.seed = readSeed(top.at("seed"));
     result.sandboxLevel = top.at("sandboxLevel").text();
     result.toolVersion = top.at("toolVersion").text();
-    if (top.has("inputs")) {
-        const JsonValue inputs = top.at("inputs");
-        result.inputs = {inputs.at("files").text(), inputs.at("tool").text(),
-                         inputs.at("how").text()};
-    }
+    if (top.has("inputs")) result.inputs = readInputs(top.at("inputs"));
     for (const JsonValue& task : top.at("tasks").items())
         result.tasks.push_back(readTask(task));
     for (const JsonValue& render : top.at("renders").items())

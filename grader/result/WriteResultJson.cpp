@@ -6,11 +6,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <system_error>
 
 namespace ticker {
 namespace {

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <system_error>
 
 namespace ticker::session {
@@ -46,10 +47,15 @@ void writeAccess(const Access& access, const fs::path& out) {
         nlohmann::json{{"token", access.token}, {"port", access.port}}.dump() + "\n";
     const FileDescriptor file{
         open(part.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)};
+    if (file.isOpen()) errno = ENOSPC;  // what a write that ends early means
     const bool written = file.isOpen() && write(file.get(), text.data(), text.size()) ==
                                               static_cast<ssize_t>(text.size());
-    if (!written || part.rename())
-        throw raytracer::InputError((out / kFile).string(), 0, "cannot be written");
+    const std::error_code why =
+        written ? part.rename() : std::error_code{errno, std::generic_category()};
+    if (why)
+        throw raytracer::InputError(
+            (out / kFile).string(), 0,
+            "cannot be written: " + why.message() + "; make room or rights in this folder");
 }
 
 }  // namespace ticker::session

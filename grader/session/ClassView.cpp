@@ -145,6 +145,7 @@ Reply ClassView::submission(const std::string& name) const {
         return {200, "application/json",
                 textOf({{"html", submissionHtml(*result, out_ / name / "code",
                                                 store::earlierResults(out_, name))},
+                        {"files", result->inputs.files},
                         {"history", std::move(history)}})};
     } catch (const raytracer::InputError& problem) {
         // Without an answer the page would ask for ever.
@@ -197,7 +198,7 @@ Reply ClassView::decide(const std::string& body) {
         const std::optional<store::ResultRow> row = store_.find(decision.submission);
         if (!row) return failure(404, "There is no such submission.");
         decision.proposed = row->verdict;
-        decision.files = row->inputs.files;
+        if (decision.files.empty()) decision.files = row->inputs.files;
         decision.when = store::utcNow();
         quoteLines(decision, out_ / decision.submission / "code");
     }

@@ -33,9 +33,9 @@ public:
     ///               the digest.
     [[nodiscard]] Reply list(const std::string& known = {}) const;
 
-    /// One submission as HTML, and all decisions about it. 404: no submission has this name, or its
-    /// result cannot be read; 503: it has no result.json, since it is being graded at this moment,
-    /// or since a grading was interrupted. {"error"} says which.
+    /// One submission as HTML, the digest of its files, and all decisions about it. 404: no
+    /// submission has this name, or its result cannot be read; 503: it has no result.json, since it
+    /// is being graded at this moment, or since a grading was interrupted. {"error"} says which.
     [[nodiscard]] Reply submission(const std::string& name) const;
 
     /// A file of a submission's images/. 404 for anything else.

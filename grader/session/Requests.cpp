@@ -39,8 +39,11 @@ std::optional<Decision> readDecision(const json& request) {
     if (request.contains("notes")) decision.notes = readNotes(textOf(request["notes"]));
     if (hasTexts(request, {"bulk"}))
         decision.bulk = report::escapeLine(request["bulk"].get<std::string>());
+    if (hasTexts(request, {"files"}))
+        decision.files = report::escapeLine(request["files"].get<std::string>());
     for (LineNote& note : decision.notes)
         note.text = cleanText(note.text);
+    if (decision.files.size() > kLongestName) return std::nullopt;
     return decision;
 }
 

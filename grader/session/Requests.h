@@ -27,8 +27,9 @@ struct DecisionsRead {
     std::string refusal;  ///< a sentence for the ticker; empty: all can be stored
 };
 
-/// {"decisions": [{"submission", "version", "ruling", "comment", "who", "notes", "bulk"}]}, the
-/// last two optional. Refused if one of them is malformed or too long.
+/// {"decisions": [{"submission", "version", "ruling", "comment", "who", "notes", "bulk",
+/// "files"}]}, the last three optional; "files" is the digest of the files that the ticker saw.
+/// Refused if one of them is malformed or too long.
 [[nodiscard]] DecisionsRead readDecisions(const std::string& body);
 
 /// {"finding", "text", "who"}

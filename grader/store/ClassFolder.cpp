@@ -1,12 +1,12 @@
 #include <grader/store/ClassFolder.h>
 
+#include <grader/base/UtcText.h>
 #include <grader/base/Utf8.h>
 #include <grader/result/ProvenLine.h>
 #include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
 
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ Collected collect(const fs::path& out, Store& store) {
 }
 
 std::string utcNow() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    return utcText(std::time(nullptr));
 }
 
 }  // namespace ticker::store

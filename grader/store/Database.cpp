@@ -2,11 +2,14 @@
 
 #include <raytracer/base/Error.h>
 
+#include <fmt/core.h>
 #include <sqlite3.h>
 
+#include <system_error>
 #include <utility>
 
 namespace ticker::store {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPatienceMs = 10'000;  // another ticker's writes take milliseconds
@@ -15,6 +18,22 @@ constexpr int kPatienceMs = 10'000;  // another ticker's writes take millisecond
 constexpr const char* kWayOut =
     "; the results beside it are whole, decisions are in this file alone: move it away and run "
     "\"ticker collect OUT\", which brings the results back; sqlite3's .recover may save decisions";
+
+constexpr const char* kNotWritable =
+    "cannot be written; make it and its folder writable for you, or copy the folder";
+
+bool isFileThere(const fs::path& file) {
+    std::error_code error;
+    return fs::exists(file, error);
+}
+
+/// The name under which SQLite reads a file without a lock and without files beside it.
+std::string unchangingName(const fs::path& file) {
+    std::string name = "file:";
+    for (const char c : fs::absolute(file).lexically_normal().string())
+        name += c == '/' ? "/" : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    return name + "?immutable=1";
+}
 
 struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
@@ -29,11 +48,28 @@ struct Database::Connection {
     std::string file;
     std::unique_ptr<sqlite3, Close> handle;
 
+    void open(const std::string& name, int flags) {
+        sqlite3* opened = nullptr;
+        const int status =
+            sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_FULLMUTEX, nullptr);
+        handle.reset(opened);
+        if (status != SQLITE_OK) fail();
+        sqlite3_busy_timeout(opened, kPatienceMs);
+    }
+
+    [[nodiscard]] bool canBeRead() const {
+        return sqlite3_exec(handle.get(), "SELECT 1 FROM sqlite_schema", nullptr, nullptr,
+                            nullptr) == SQLITE_OK;
+    }
+
     [[noreturn]] void fail() const {
         const int code = sqlite3_errcode(handle.get());
         std::string why = sqlite3_errmsg(handle.get());
         if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
             throw raytracer::InputError(file, 0, why + kWayOut);
+        if (code == SQLITE_READONLY || code == SQLITE_PERM ||
+            (code == SQLITE_CANTOPEN && isFileThere(file)))
+            throw raytracer::InputError(file, 0, kNotWritable);
         if (code == SQLITE_CANTOPEN) throw raytracer::InputError(file, 0, why);
         if (code == SQLITE_BUSY) why += "; another ticker has kept it locked";
         throw raytracer::Error(file + ": " + why);
@@ -90,13 +126,15 @@ double Statement::real(int column) const {
 Database::Database(const std::filesystem::path& file)
     : connection_(std::make_shared<Connection>()) {
     connection_->file = file.string();
-    sqlite3* handle = nullptr;
-    const int status = sqlite3_open_v2(
-        file.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX,
-        nullptr);
-    connection_->handle.reset(handle);
-    if (status != SQLITE_OK) connection_->fail();
-    sqlite3_busy_timeout(handle, kPatienceMs);
+    connection_->open(file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    // The write-ahead log needs files beside this one even for reading. Where there are none, and
+    // this user cannot make them, no ticker has the file open.
+    if (isReadOnly() && !connection_->canBeRead() && !isFileThere(file.string() + "-wal"))
+        connection_->open(unchangingName(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+}
+
+bool Database::isReadOnly() const {
+    return sqlite3_db_readonly(connection_->handle.get(), "main") == 1;
 }
 
 Statement Database::prepare(std::string_view sql) const {

@@ -36,9 +36,12 @@ private:
 /// An SQLite file. Errors name the file and are raytracer errors.
 class Database {
 public:
-    /// Opens the file, or creates it.
+    /// Opens the file, or creates it. A file that this user may only read is opened for reading.
     /// @throws raytracer::InputError if it cannot be opened.
     explicit Database(const std::filesystem::path& file);
+
+    /// True if this user may only read the file: writing throws an InputError.
+    [[nodiscard]] bool isReadOnly() const;
 
     [[nodiscard]] Statement prepare(std::string_view sql) const;
     /// Runs statements that return no rows.

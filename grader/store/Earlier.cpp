@@ -1,12 +1,12 @@
 #include <grader/store/Earlier.h>
 
+#include <grader/base/UtcText.h>
 #include <grader/result/ResultJson.h>
 #include <grader/result/Tally.h>
 #include <grader/store/ClassFolder.h>
 
 #include <raytracer/base/Error.h>
 
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 
 #include <sys/stat.h>
@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kEarlier = "earlier";
+constexpr const char* kUnfinished = ".new";  ///< in "earlier", while the files are moved
 
 /// The first number without a folder; from 1.
 int nextNumber(const fs::path& folder) {
@@ -36,40 +37,62 @@ raytracer::InputError cannotMove(const fs::path& what, const fs::path& folder,
                         folder.string(), error.message())};
 }
 
-/// Moves both or nothing: what stays behind would be replaced.
-void moveTo(const fs::path& folder, const fs::path& submission) {
+/// The files of `submission` go to earlier/.new, the code first, which then gets its number: a kill
+/// between two steps leaves what `finish` can complete.
+void moveFrom(const fs::path& submission) {
+    const fs::path all = submission / kEarlier;
+    const fs::path target = all / std::to_string(nextNumber(all));
+    const fs::path moved = all / kUnfinished;
     std::error_code error;
     std::error_code ignored;
-    fs::create_directories(folder, error);
-    if (error) throw cannotMove(submission, folder, error);
-    fs::rename(submission / "result.json", folder / "result.json", error);
-    if (error) {
-        fs::remove(folder, ignored);
-        throw cannotMove(submission / "result.json", folder, error);
+    fs::create_directories(moved, error);
+    if (error) throw cannotMove(submission, target, error);
+    fs::rename(submission / "code", moved / "code", error);
+    if (error && error != std::errc::no_such_file_or_directory) {
+        fs::remove(moved, ignored);
+        throw cannotMove(submission / "code", target, error);
     }
-    fs::rename(submission / "code", folder / "code", error);
-    if (!error || error == std::errc::no_such_file_or_directory) return;
-    fs::rename(folder / "result.json", submission / "result.json", ignored);
-    fs::remove(folder, ignored);
-    throw cannotMove(submission / "code", folder, error);
+    fs::rename(submission / "result.json", moved / "result.json", error);
+    if (error) {
+        fs::rename(moved / "code", submission / "code", ignored);
+        fs::remove(moved, ignored);
+        throw cannotMove(submission / "result.json", target, error);
+    }
+    fs::rename(moved, target, error);
+    if (error) throw cannotMove(moved, target, error);
+}
+
+/// Completes a move that a kill has interrupted. Code whose result has not moved goes back to it.
+void finish(const fs::path& submission) {
+    const fs::path all = submission / kEarlier;
+    const fs::path moved = all / kUnfinished;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(moved, error))) return;
+    if (!fs::exists(moved / "result.json", error)) {
+        fs::rename(moved / "code", submission / "code", error);
+        if (fs::remove(moved, error)) return;
+    }
+    const fs::path target = all / std::to_string(nextNumber(all));
+    fs::rename(moved, target, error);
+    if (error) throw cannotMove(moved, target, error);
 }
 
 std::string changedAt(const fs::path& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) return "";
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(status.st_mtime));
+    return utcText(status.st_mtime);
 }
 
 }  // namespace
 
 void keepEarlier(const fs::path& out, const SubmissionResult& next) {
+    finish(out / next.submission);
     const auto before = readWholeResult(out, next.submission);
     if (!before || before->verdict == Verdict::notGraded) return;
     if (before->inputs.files == next.inputs.files && before->verdict == next.verdict &&
         findingIds(*before) == findingIds(next))
         return;
-    const fs::path all = out / next.submission / kEarlier;
-    moveTo(all / std::to_string(nextNumber(all)), out / next.submission);
+    moveFrom(out / next.submission);
 }
 
 std::vector<Earlier> earlierResults(const fs::path& out, const std::string& submission) {

@@ -17,7 +17,8 @@ struct Earlier {
 };
 
 /// Moves result.json and code/ of a submission to earlier/ if the new result is about other files,
-/// or has another verdict or other findings. Pictures do not stay.
+/// or has another verdict or other findings. Pictures do not stay. A move that a kill has
+/// interrupted is completed first.
 /// @throws raytracer::InputError if they cannot be moved; they are still in their place then.
 void keepEarlier(const std::filesystem::path& out, const SubmissionResult& next);
 

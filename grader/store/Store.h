@@ -54,6 +54,7 @@ class Store {
 public:
     /// Opens the store of OUT, or creates an empty one; OUT must exist.
     /// @param journal  For tests; by default chosen for the file system.
+    /// A store that this user may only read can be read; what writes throws InputError.
     /// @throws raytracer::InputError if the file is not a store, or belongs to a newer ticker.
     explicit Store(const std::filesystem::path& out, std::optional<Journal> journal = {});
 

@@ -40,26 +40,42 @@ std::int64_t pragma(const Database& database, const char* name) {
     return statement.step() ? statement.integer(0) : 0;
 }
 
+/// The journal's mode after a change of it. SQLite does not wait there for another process that
+/// makes the same file, but at the beginning of a transaction.
+std::string modeAfter(const Database& database, const char* change) {
+    constexpr int kMostTries = 20;
+    for (int tries = 1;; ++tries) {
+        try {
+            Statement statement = database.prepare(change);
+            statement.step();
+            return statement.text(0);
+        } catch (const raytracer::Error&) {
+            if (tries == kMostTries) throw;
+        }
+        Transaction{database}.commit();
+    }
+}
+
 }  // namespace
 
 std::string setJournal(const Database& database, Journal journal) {
+    if (database.isReadOnly()) return {};
     const bool ahead = journal == Journal::writeAhead;
-    Statement statement =
-        database.prepare(ahead ? "PRAGMA journal_mode = WAL" : "PRAGMA journal_mode = DELETE");
-    statement.step();
-    const bool refused = ahead && statement.text(0) != "wal";
-    if (ahead && !refused) return {};
+    const std::string mode =
+        modeAfter(database, ahead ? "PRAGMA journal_mode = WAL" : "PRAGMA journal_mode = DELETE");
+    if (ahead && mode == "wal") return {};
     return "results.sqlite lies on a file system of the network, where SQLite's write-ahead log is "
            "not safe: a rollback journal is used; let one machine at a time write here";
 }
 
 void refuseForeign(const Database& database, const fs::path& file) {
-    const bool isNew = pragma(database, "user_version") == 0;
-    Statement isOurs = database.prepare(
-        isNew ? "SELECT count(*) = 0 FROM sqlite_schema"
-              : "SELECT count(*) = 3 FROM sqlite_schema WHERE name IN ('class', 'result', "
-                "'decision')");
-    if (isOurs.step() && isOurs.integer(0) != 0) return;
+    // One statement, so that a store that another process makes meanwhile is seen whole or not.
+    Statement found = database.prepare(
+        "SELECT (SELECT user_version FROM pragma_user_version), count(*), "
+        "sum(name IN ('class', 'result', 'decision')) FROM sqlite_schema");
+    found.step();
+    const bool isNew = found.integer(0) == 0;
+    if (isNew ? found.integer(1) == 0 : found.integer(2) == 3) return;
     throw raytracer::InputError(
         file.string(), 0,
         "is a database of another program, not ticker's; move it away, then \"ticker collect OUT\" "
@@ -67,6 +83,8 @@ void refuseForeign(const Database& database, const fs::path& file) {
 }
 
 void makeTables(const Database& database, const fs::path& file) {
+    // What is complete can be read without rights to write.
+    if (pragma(database, "user_version") == kVersion) return;
     Transaction transaction{database};
     const std::int64_t version = pragma(database, "user_version");
     if (version > kVersion)

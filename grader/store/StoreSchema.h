@@ -9,7 +9,8 @@
 
 namespace ticker::store {
 
-/// Turns a journal on. @return a sentence for the user where WAL was refused; else empty.
+/// Turns a journal on, unless the file may only be read. @return a sentence for the user where WAL
+/// was refused; else empty.
 [[nodiscard]] std::string setJournal(const Database& database, Journal journal);
 
 /// Writes nothing. A file of ours has our tables, or none where it is new.

@@ -1,7 +1,7 @@
 // Groups of similar submissions, and the contact sheet, on which many are decided at once.
 import { $, button, counted, make, soft, words } from "./dom.js";
 import { decidesAbout } from "./decide.js";
-import { entries, isOpen, standing, watch } from "./model.js";
+import { entries, isOpen, shown, standing, watch } from "./model.js";
 import { changesOf, filter, findingsOfGroup, groupOf, listed, setFilter } from "./list.js";
 import { ask } from "./server.js";
 import { tell } from "./submission.js";
@@ -49,6 +49,7 @@ const picture = (address, what, name) =>
 
 async function addPictures(place, entry) {
   const { renders = [], told = "", error = "" } = await ask(`pictures?name=${encodeURIComponent(entry.name)}`);
+  shown.set(entry.name, entry.files);
   const [render] = renders;
   place.replaceChildren(...(render
     ? [...(render.reference ? [picture(render.reference, "expected", entry.shown)] : []), picture(render.image, "submitted", entry.shown)]

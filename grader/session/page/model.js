@@ -4,6 +4,8 @@ import { ask, memory, post, token } from "./server.js";
 
 export const entries = new Map(); // name -> the session's data about it, and its row of the list
 export const model = { names: [], comments: [], current: null }; // current: name of the submission that is shown
+/// name -> digest of the files that this page showed last, which decisions are about.
+export const shown = new Map();
 const watchers = [];
 export const watch = (work) => watchers.push(work);
 /// Calls the watchers after decisions changed; `names`: which ones, if known.
@@ -13,7 +15,7 @@ export const changed = (names = null) => { for (const work of watchers) work(nam
 
 const queueKey = `queue.${Math.random().toString(36).slice(2)}`; // each tab has its own
 const mostBytes = 150_000; // of one request; the session takes some more
-let queue = adoptQueues(); // {submission, version, ruling, comment, notes, bulk, who}
+let queue = adoptQueues(); // {submission, version, ruling, comment, notes, bulk, files, who}
 let latest = null; // name -> its last decision in the queue
 
 /// Decisions that closed tabs had not sent. A tab that is still open sends them too; each is stored once.
@@ -64,10 +66,12 @@ export const isStale = ({ decision, files }) =>
 export function enqueue(items, who) {
   const next = new Map();
   const versioned = items.map((item) => {
-    const known = entries.get(item.submission)?.decision?.version ?? 0;
+    const entry = entries.get(item.submission);
+    const known = entry?.decision?.version ?? 0;
+    const files = shown.get(item.submission) ?? entry?.files;
     const before = next.get(item.submission) ?? queue.filter((one) => one.submission === item.submission).length;
     next.set(item.submission, before + 1);
-    return { ...item, version: known + before, who };
+    return { ...item, files, version: known + before, who };
   });
   setQueue([...queue, ...versioned]);
   changed(items.map((item) => item.submission));

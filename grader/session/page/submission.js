@@ -1,7 +1,7 @@
 // The view of one submission, and the footer with its decision.
-import { $, clock, make, soft, table, words } from "./dom.js";
+import { $, button, clock, make, soft, table, words } from "./dom.js";
 import { dressCode } from "./code.js";
-import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, standing, watch } from "./model.js";
+import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, shown, standing, watch } from "./model.js";
 import { nextUndecided } from "./list.js";
 import { ask } from "./server.js";
 import { undone } from "./undo.js";
@@ -9,7 +9,7 @@ import { Viewer, drawRays } from "./viewer.js";
 import { onOpen, open, register } from "./views.js";
 
 export let viewers = []; // of the submission that is shown
-const cache = new Map(); // grading, decision and name -> promise of {html, history}, or of {error} until it has come
+const cache = new Map(); // grading, decision and name -> promise of {html, files, history}, or of {error} until it has come
 
 function fetched(name) {
   const key = `${entries.get(name).gradedAt} ${entries.get(name).decision?.version} ${name}`;
@@ -45,8 +45,9 @@ async function show({ name }) {
   entries.get(name).row.scrollIntoView({ block: "nearest" });
   const main = $("main");
   main.classList.toggle("loading", main.dataset.name !== name);
-  const { html, history, error } = await fetched(name);
+  const { html, files, history, error } = await fetched(name);
   if (model.current !== name) return;
+  if (!error) shown.set(name, files);
   main.classList.remove("loading");
   if (error) main.replaceChildren(make("p", { class: "soft" }, error));
   else main.innerHTML = html; // made by the session, which escapes all text of students
@@ -59,6 +60,7 @@ async function show({ name }) {
   window.scrollTo(0, 0);
   main.focus({ preventScroll: true });
   main.dataset.name = name;
+  showStanding();
   performance.mark("first submission");
   const following = nextUndecided();
   if (following) fetched(following);
@@ -83,6 +85,8 @@ function standingOf(entry) {
   if (now.ruling !== "undecided") parts.push(...ruled(now));
   if (isOverruled(entry)) parts.push(make("strong", {}, " against the proposal"));
   if (isStale(entry)) parts.push(make("strong", {}, " other files than were decided about"));
+  if (isOnPage() && shown.has(entry.name) && shown.get(entry.name) !== entry.files)
+    parts.push(make("strong", {}, " handed in again: "), button("Load it anew", () => open("submission", { name: entry.name })));
   const note = undone.get(entry.name);
   const hasSaid = now.comment || now.notes.length > 0;
   if (note && isSame(note.said, now)) parts.push(make("strong", {}, note.text));

@@ -48,6 +48,15 @@ TEST(JsonValue, NamesFileLinePlaceAndWhatWasExpected) {
               "f:4: /a: expected no member of this na");
 }
 
+TEST(JsonValue, RefusesANumberThatNoDoubleHolds) {
+    for (const char* number : {"1e999", "-1e999"})
+        EXPECT_EQ(complaint([&] {
+                      static_cast<void>(
+                          JsonValue::parse("{\"a\": 1,\n\"b\": " + std::string{number} + "}", "f"));
+                  }),
+                  "f:2: a number is too large");
+}
+
 TEST(JsonValue, UsesTheWordsGivenToParseInItsErrors) {
     const JsonValue top =
         JsonValue::parse("[{\"b\": 1, \"a\": 2}]", "f", {"all", "a member", true});

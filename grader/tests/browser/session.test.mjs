@@ -1,11 +1,12 @@
 // The ticking session in a browser. TICKER is the program, TICKER_CLASS a graded class, whose
 // results are copied under new names into larger classes.
 import assert from "node:assert/strict";
-import { copyFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { accessibilityFaults, launchBrowser } from "./harness.mjs";
-import { decide, isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession } from "./session.mjs";
+import { decide, isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession, ticker } from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -204,6 +205,29 @@ test("the link to the submission keeps the place and the filters", async () => {
   assert.equal(await shown(page), second);
   assert.equal(await page.locator("#find").inputValue(), "inverted-u");
   assert.equal(await page.evaluate(() => location.hash), address);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("a decision is about the files that were shown, and the footer tells of a later hand-in", async () => {
+  const out = makeClass(2);
+  const session = await startSession(out);
+  const { page, problems } = await openSession(browser, session);
+  await page.getByLabel("You are").fill("ann");
+  const name = await shown(page);
+  await page.locator("main").focus();
+  const file = join(out, name, "result.json");
+  const result = JSON.parse(readFileSync(file, "utf8"));
+  writeFileSync(file, JSON.stringify({ ...result, inputs: { ...result.inputs, files: "other files" } }));
+  execFileSync(ticker, ["collect", out, "--quiet"]);
+  await page.locator(".standing", { hasText: "handed in again" }).waitFor();
+  await decide(page, "n");
+  await saved(page);
+  const row = page.locator(".list button", { hasText: name });
+  await row.filter({ hasText: "changed since decided" }).waitFor();
+  await row.click();
+  await showing(page, name);
+  assert.doesNotMatch(await page.locator(".standing").textContent(), /handed in again/);
   assert.deepEqual(problems, []);
   await page.close();
 });

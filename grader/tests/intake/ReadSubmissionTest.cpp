@@ -152,6 +152,20 @@ TEST(ReadSubmission, RefusesASourceOverTheLimitAndTakesOneAtIt) {
     EXPECT_EQ(idOf(read(folder), "Renderer.cpp"), "intake.too-large");
 }
 
+TEST(ReadSubmission, AsksForWhatItsExerciseHas) {
+    IntakeLimits main;
+    main.exercise = &exerciseNamed("tick1");
+    const tests::TemporaryFolder folder;
+    const auto hint = [&](const IntakeLimits& limits) {
+        return readSubmission({"somebody", folder.path()}, limits).findings.at(0).finding.hint;
+    };
+    EXPECT_EQ(hint(main), "Hand in Sphere.cpp, Renderer.cpp and Plane.cpp.");
+    EXPECT_EQ(hint({}), "Hand in the file of the option that you chose, and screenshot.png.");
+    folder.write("Renderer.cpp", std::string((256U << 10U) + 1, ' '));
+    EXPECT_EQ(hint(main), "Hand in the file that you wrote.");
+    EXPECT_EQ(hint({}), "Hand in the file that you wrote, and the picture as tick1star writes it.");
+}
+
 TEST(ReadSubmission, RefusesALinkAndAPipe) {
     const tests::TemporaryFolder folder;
     std::filesystem::create_symlink("/etc/passwd", folder.path() / "Renderer.cpp");

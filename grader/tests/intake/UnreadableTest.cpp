@@ -129,6 +129,19 @@ TEST_F(Unreadable, PieceOfASubmissionIsNotTakenForMissing) {
     EXPECT_NE(complaintAbout(at("class/ann")).find("Permission denied"), std::string::npos);
 }
 
+TEST_F(Unreadable, SubmissionBelowAFolderThatMayOnlyBeListedIsReported) {
+    folder_.write("class/ann/Renderer.cpp", "render");
+    folder_.write("class/monday/bob/Renderer.cpp", "render");
+    for (const char* listed : {"class/monday", "class"}) {
+        lock(listed, fs::perms{0444});
+        const fs::path last = at(listed) / (listed == std::string{"class"} ? "ann" : "bob");
+        EXPECT_EQ(complaintAbout(last),
+                  last.string() +
+                      ": cannot be read: Permission denied; make it readable, then grade again");
+        EXPECT_EQ(namesIn("class").size(), 2U) << listed;
+    }
+}
+
 TEST_F(Unreadable, FolderNamedLikeAPieceStopsNobodyBesideIt) {
     for (const char* name : {"ann", "bob", "work"})
         folder_.write("class/" + std::string{name} + "/Renderer.cpp", "render");

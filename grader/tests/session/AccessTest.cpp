@@ -1,5 +1,8 @@
 #include <grader/session/Access.h>
+#include <grader/tests/support/AsNobody.h>
 #include <grader/tests/support/TemporaryFolder.h>
+
+#include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +39,19 @@ TEST(Access, IsForItsOwnerAlone) {
     fs::permissions(out.path() / "elsewhere", fs::perms{0600});
     fs::create_symlink(out.path() / "elsewhere", file);
     EXPECT_NE(readAccess(out.path()).token, "0123456789abcdef0123456789abcdef");
+}
+
+TEST(Access, SaysWhyItCannotBeWritten) {
+    const tests::TemporaryFolder out;
+    const tests::AsNobody nobody;
+    try {
+        writeAccess({}, out.path());
+        FAIL() << "it was written";
+    } catch (const raytracer::InputError& error) {
+        EXPECT_EQ(error.what(), (out.path() / ".session").string() +
+                                    ": cannot be written: Permission denied; make room or rights "
+                                    "in this folder");
+    }
 }
 
 TEST(Access, SurvivesAnyFile) {

@@ -112,6 +112,17 @@ TEST_F(Session, KeepsCommentsOnLinesThatAreGoneAfterAnotherHandIn) {
     EXPECT_EQ(kept.at("notes"), first.at("notes"));
 }
 
+// A decision may arrive after other files were handed in and graded.
+TEST_F(Session, KeepsADecisionWithTheFilesThatTheTickerSaw) {
+    EXPECT_EQ(json::parse(view_.submission("bob").body).at("files"), "");
+    json one = json::parse(request("bob", 0, "awarded")).at("decisions").at(0);
+    one["files"] = "aa";
+    EXPECT_EQ(answerTo(view_.decide(json{{"decisions", {one}}}.dump())).at("decision").at("files"),
+              "aa");
+    one["files"] = std::string(1000, 'a');
+    EXPECT_EQ(view_.decide(json{{"decisions", {one}}}.dump()).status, 400);
+}
+
 TEST_F(Session, SharesSavedCommentsAmongAllTickersOfTheClass) {
     const auto saved = [](const std::string& finding, const std::string& text) {
         return json{{"finding", finding}, {"text", text}, {"who", "ann"}}.dump();

@@ -85,6 +85,19 @@ TEST_F(ClassFolder, NamesResultsThatCannotBeReadAndCollectsTheRest) {
     EXPECT_EQ(store.results().size(), 1U);
 }
 
+TEST_F(ClassFolder, NamesAResultWithoutAScoreAndCollectsTheRest) {
+    writeResult("ann", Verdict::awarded);
+    std::string text = resultJson(resultOf("bob", Verdict::awarded));
+    const std::size_t begin = text.find(": ", text.find("\"score\"")) + 2;
+    out_.write("bob/result.json",
+               text.replace(begin, text.find_first_of(",\n", begin) - begin, "null"));
+    Store store{out_.path()};
+    const Collected collected = collect(out_.path(), store);
+    EXPECT_EQ(collected.taken, 1U);
+    ASSERT_EQ(collected.unreadable.size(), 1U);
+    EXPECT_NE(collected.unreadable[0].find("/score: expected a number"), std::string::npos);
+}
+
 TEST_F(ClassFolder, IsReadWithTheDecisionsOfTheStore) {
     writeResult("ann", Verdict::awarded);
     writeResult("bob", Verdict::needsReview);

@@ -63,6 +63,25 @@ TEST_F(EarlierResults, SurviveAKilledMove) {
     EXPECT_EQ(earlier().size(), 1U);
 }
 
+// The code is in OUT alone; the next grading removes what lies beside the result.
+TEST_F(EarlierResults, KeepTheirCodeWhereverTheMoveWasKilled) {
+    const fs::path ann = out_.path() / "ann";
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    fs::create_directories(ann / "earlier/.new");
+    fs::rename(ann / "code", ann / "earlier/.new/code");
+    keepEarlier(out_.path(), handedIn("aa", Verdict::awarded));
+    EXPECT_TRUE(fs::exists(ann / "code/Own.cpp")) << "the result has not moved";
+    EXPECT_FALSE(fs::exists(ann / "earlier/.new"));
+    EXPECT_TRUE(earlier().empty());
+
+    fs::create_directories(ann / "earlier/.new");
+    fs::rename(ann / "code", ann / "earlier/.new/code");
+    fs::rename(ann / "result.json", ann / "earlier/.new/result.json");
+    keepEarlier(out_.path(), handedIn("dd", Verdict::awarded));
+    ASSERT_EQ(earlier().size(), 1U);
+    EXPECT_TRUE(fs::exists(earlier()[0].code / "Own.cpp"));
+}
+
 TEST_F(EarlierResults, StayInTheirPlaceWhereTheyCannotBeMoved) {
     write(handedIn("aa", Verdict::awarded), "int a;");
     const fs::path blocking = out_.write("ann/earlier", "no folder");

@@ -1,4 +1,5 @@
 #include <grader/store/Store.h>
+#include <grader/tests/support/AsNobody.h>
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <barrier>
 #include <fstream>
 #include <thread>
 
@@ -214,6 +216,53 @@ std::string complaintAbout(const std::filesystem::path& out) {
         return store.results().empty() ? "empty" : "none";
     } catch (const raytracer::InputError& error) {
         return error.what();
+    }
+}
+
+TEST(Store, CanBeReadByWhoMayNotWriteItAndSaysSoToWhoTries) {
+    for (const Journal journal : {Journal::writeAhead, Journal::rollback}) {
+        const tests::TemporaryFolder folder;
+        fs::permissions(folder.path(), fs::perms{0755});
+        const fs::path out = folder.path() / "100% #1?";
+        fs::create_directory(out);
+        Store{out, journal}.put(judgedResult("ann"), kNow);
+        fs::permissions(out / "results.sqlite", fs::perms{0444});
+        fs::permissions(out, fs::perms{0555});
+        const tests::AsNobody nobody;
+        Store store{out};
+        EXPECT_EQ(store.notice(), "");
+        EXPECT_EQ(store.results().size(), 1U);
+        try {
+            store.put(judgedResult("bob"), kNow);
+            ADD_FAILURE() << "it was written";
+        } catch (const raytracer::InputError& error) {
+            EXPECT_NE(std::string{error.what()}.find("results.sqlite: cannot be written; make it"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+TEST(Store, CanBeMadeByManyAtOnce) {
+    constexpr int kRounds = 20;
+    constexpr int kMakers = 4;
+    for (int round = 0; round < kRounds; ++round) {
+        const tests::TemporaryFolder out;
+        std::barrier start{kMakers};
+        std::vector<std::string> complaints(kMakers);
+        {
+            std::vector<std::jthread> makers;
+            for (std::string& complaint : complaints)
+                makers.emplace_back([&] {
+                    start.arrive_and_wait();
+                    try {
+                        const Store store{out.path()};
+                    } catch (const raytracer::Error& error) {
+                        complaint = error.what();
+                    }
+                });
+        }
+        EXPECT_EQ(complaints, std::vector<std::string>(kMakers));
     }
 }
 
