@@ -41,11 +41,11 @@ inline constexpr FindingText kBumpInverted{.id = "bump.inverted",
 
 inline constexpr FindingText kBumpInvertedU{.id = "bump.inverted-u",
                                             .words = "inverted the bumps along u",
-                                            .meaning = "this axis alone inverted, on every map"};
+                                            .meaning = "u alone is inverted, on every map"};
 
 inline constexpr FindingText kBumpInvertedV{.id = "bump.inverted-v",
                                             .words = "inverted the bumps along v",
-                                            .meaning = "this axis alone inverted, on every map"};
+                                            .meaning = "v alone is inverted, on every map"};
 
 inline constexpr FindingText kBumpUpsideDown{.id = "bump.upside-down",
                                              .words = "laid the map upside down",

@@ -10,6 +10,7 @@
 
 namespace ticker::tasks::bump {
 
+// The pictures of each render: their size in pixels, and their number.
 inline constexpr int kThreadedWidth = 64;
 inline constexpr int kThreadedHeight = 48;
 inline constexpr int kThreadedPictures = 3;

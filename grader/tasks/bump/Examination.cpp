@@ -81,7 +81,7 @@ MainPlan planMain(std::uint64_t seed) {
     plan.caps = planCaps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.fewTexels = planFewTexels(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.sharpSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
-    // So few rows that the last one holds many points.
+    // The map has so few rows that many points lie in the last one.
     plan.order = plan.questionnaire.addInBothOrders(drawBall(draws, 1.0), noiseMap(draws, 12, 6),
                                                     draws.directions(kOrderedPoints));
     plan.evenSteps = planEvenSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
@@ -146,7 +146,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.conduct = readConduct(plan.conduct, answers);
     examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
     examination.ladder = judgeLadder(plan.ladder, answers);
-    // The results of the ramps of fractions are then an effect of rounding.
+    // The ramps with fractional heights then show nothing but rounding.
     if (coarse && tellsMore(*coarse, examination.ramps()))
         examination.ladder = {*coarse, examination.ladder.flatTilt,
                               examination.ladder.sharedNormals};

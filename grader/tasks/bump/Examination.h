@@ -28,7 +28,7 @@ namespace ticker::tasks::bump {
 /// The first run: the questions that every submission gets.
 struct MainPlan {
     Questionnaire questionnaire;
-    RegionPlan regions;  ///< first, at the ladder's points: shows a remembered map
+    RegionPlan regions;  ///< asked first, at the ladder's points: shows code that keeps a map
     RampLadder ladder;
     SlopePlan slopes;
     SharpStepPlan sharpSteps;
@@ -44,7 +44,7 @@ struct MainPlan {
     FewTexelPlan fewTexels;
     EvenStepPlan evenSteps;
     SharpStepPlan lightSteps;
-    OrderPair order;  ///< of a rough map of few rows
+    OrderPair order;  ///< a rough map of few rows, asked in both orders
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -56,7 +56,7 @@ struct MainPlan {
 /// hints.
 struct HintPlan {
     Questionnaire questionnaire;
-    RampPlan square;              ///< columns and rows can be exchanged without harm
+    RampPlan square;              ///< as many rows as columns: exchanging them does no harm
     RampPlan unitSphere;          ///< centre at the origin, radius 1
     RampPlan sceneSphere;         ///< the exercise's own sphere
     RampPlan asideSphere;         ///< far to one side and below
@@ -71,7 +71,7 @@ struct HintPlan {
 struct Examination {
     Conduct conduct;
     bool mapIgnored = false;      ///< two maps on the same sphere gave the same tilts
-    double changedByOrder = 0.0;  ///< share of the points of `MainPlan::order`
+    double changedByOrder = 0.0;  ///< share of the points of `order` whose normal depends on it
     LadderJudgement ladder;
     Proportion proportion;
     Untilted untilted;

@@ -31,7 +31,7 @@ using AddPart = PartCheck (*)(Questionnaire&, Draws&, const Ball&);
 PartCheck addOrder(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
     constexpr int kPoints = 300;
     constexpr double kSomePoints = 0.01;
-    // So few rows that the last one holds many points.
+    // The map has so few rows that many points lie in the last one.
     const OrderPair order =
         questionnaire.addInBothOrders(ball, noiseMap(draws, 12, 6), draws.directions(kPoints));
     return [order](const Answers& answers, const RampJudgement&) {

@@ -35,7 +35,7 @@ const Value* valueOf(const Evidence& evidence, std::string_view key) {
 
 /// How the map lies on the sphere, as the judge found it; empty if it found no tilts that fit.
 std::optional<Parametrisation> parametrisationIn(const Evidence& evidence) {
-    constexpr double kNearAxis = 0.98;  // there the camera's u says little about the others
+    constexpr double kNearAxis = 0.98;  // beyond, the camera faces a pole, where u says little
     const auto* axis = valueOf<std::vector<double>>(evidence, "topOfMap");
     const auto* u = valueOf<double>(evidence, "uFacingTheCamera");
     const auto* mirrored = valueOf<bool>(evidence, "mirrored");
@@ -79,7 +79,7 @@ struct Spot {
 
 std::vector<Spot> spotsOn(const std::vector<LetterEdge>& edges,
                           const Parametrisation& parametrisation) {
-    constexpr double kLong = 35.0;  // texels: such an edge gets two
+    constexpr double kLong = 35.0;  // texels: a longer edge gets two spots
     std::vector<Spot> spots;
     for (const LetterEdge& edge : edges)
         for (const double share :
@@ -95,7 +95,7 @@ std::vector<Spot> spotsOn(const std::vector<LetterEdge>& edges,
 std::vector<std::vector<RayDrawing::Point>> outlinesOf(const std::vector<LetterEdge>& edges,
                                                        const Parametrisation& parametrisation) {
     constexpr double kStep = 12.0;    // texels: 7 degrees of longitude
-    constexpr double kAbove = 1.003;  // the sphere's own lines would hide them
+    constexpr double kAbove = 1.003;  // radii: the sphere's own lines do not hide them
     std::vector<std::vector<RayDrawing::Point>> lines;
     for (const LetterEdge& edge : edges) {
         std::vector<RayDrawing::Point>& line = lines.emplace_back();
@@ -127,7 +127,8 @@ bool fill(std::vector<Spot>& spots, probe::Examinee& examinee) {
     return !spots.empty();
 }
 
-/// How far normals tilt at edges of one direction: any strength is right.
+/// Median tilt at the edges of one direction. The drawing expects this strength, since any is
+/// right.
 double strengthOf(const std::vector<Spot>& spots, bool isUpright) {
     std::vector<double> lengths;
     for (const Spot& spot : spots)

@@ -17,8 +17,10 @@ double solid(int column, int row) {
     return std::abs(height) >= 0.5 ? (height > 0.0 ? 1.0 : -1.0) : 0.0;
 }
 
-/// The edges along one line between texels, at `line` across and from `begin` to `begin + kCell`
-/// along it.
+/// Adds the edges that lie on one line between texels.
+/// @param isUpright  Whether the line runs along a column or along a row.
+/// @param line       Column to the right of the line, or row below it.
+/// @param begin      First texel along the line; `kCell` of them are searched.
 void addEdges(std::vector<LetterEdge>& edges, bool isUpright, int line, int begin) {
     const auto riseAt = [&](int along) {
         return isUpright ? solid(line, along) - solid(line - 1, along)

@@ -15,7 +15,7 @@ struct MapPlace {
 struct LetterEdge {
     MapPlace from;
     MapPlace to;
-    bool isUpright = false;  ///< it runs along a column, and the slope along u
+    bool isUpright = false;  ///< the edge runs along a column, and its slope along u
     double rise = 0.0;       ///< 1: the map rises to the right or downwards; -1: it falls
 
     /// The place at a share of its length, 0 to 1.

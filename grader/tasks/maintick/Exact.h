@@ -29,16 +29,19 @@ inline constexpr double kTolerance = 5e-4;
 /// surface.
 inline constexpr double kMirrorTolerance = 4e-3;
 
-/// False for NaN.
+/// Whether `a` differs from `expected` by at most `tolerance`, relative to the larger of 1 and
+/// `expected`. False for NaN.
 [[nodiscard]] inline bool isNear(double a, double expected, double tolerance = kTolerance) {
     return std::abs(a - expected) <= tolerance * std::max(1.0, std::abs(expected));
 }
+/// The same for vectors, relative to the larger of 1 and the length of `expected`.
 [[nodiscard]] inline bool isNear(const Vector3& a, const Vector3& expected,
                                  double tolerance = kTolerance) {
     return isNear((a - expected).magnitude() + expected.magnitude(), expected.magnitude(),
                   tolerance);
 }
-/// Relative to the largest channel of `expected`, since all its channels may be small.
+/// The same for colours, relative to the largest channel of `expected`, since all its channels may
+/// be small.
 [[nodiscard]] inline bool isNear(const ColourRGB& a, const ColourRGB& expected,
                                  double tolerance = kTolerance) {
     const double scale =
@@ -48,12 +51,14 @@ inline constexpr double kMirrorTolerance = 4e-3;
            std::abs(d.b) <= tolerance * scale;
 }
 
-/// Where a ray meets a surface, in double precision.
+/// Where a ray meets a surface, in double precision. The distance counts in lengths of the ray's
+/// direction.
 struct Meeting {
     double distance = 0.0;
     Vector3 location;
     Vector3 normal;
 };
+/// The nearest point of the surface ahead of the ray's origin; empty if the ray misses it.
 [[nodiscard]] std::optional<Meeting> meet(const raytracer::SphereDescription& sphere,
                                           const Ray& ray);
 [[nodiscard]] std::optional<Meeting> meet(const raytracer::PlaneDescription& plane, const Ray& ray);

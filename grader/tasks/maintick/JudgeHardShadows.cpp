@@ -103,8 +103,8 @@ Seen readAnswers(const std::vector<ShadeCase>& cases, const probe::Run& run) {
         };
         const auto colour = [&](std::size_t k) { return answer(k).colours.at(0); };
         ShadeSeen one{&cases[i], colour(0), colour(1), colour(2), colour(3), colour(4), colour(5)};
-        // Code that casts its shadow rays from the light hides every floating point, since they
-        // miss it. The same point on its surface then shows what full light is.
+        // In code that casts its shadow rays from the light every floating point is hidden, since
+        // no ray hits it. The same point on its surface then shows what full light is.
         if (one.hasNoLight()) one.lit = colour(6);
         readRays(one, answer(0).events);
         seen.push_back(one);
@@ -160,7 +160,7 @@ std::optional<Finding> check(const Seen& seen) {
                                 far->bias));
 }
 
-/// What a seed asks.
+/// The questions of one seed.
 struct ShadePlan {
     explicit ShadePlan(std::uint64_t seed)
         : cases(maintick::drawShadeCases(seed)), mixed(maintick::drawMixedShades(seed)) {}

@@ -86,7 +86,7 @@ std::optional<Finding> checkBoth(const std::vector<maintick::LitQuestion>& asked
     return wrong && wrong->id == kPhongUnlit.id ? check(asked, onSurface) : wrong;
 }
 
-/// What a seed asks.
+/// The questions of one seed.
 struct PhongPlan {
     explicit PhongPlan(std::uint64_t seed)
         : asked(maintick::drawLitQuestions(seed)), mixed(maintick::drawMixedPoints(seed)) {}

@@ -72,7 +72,7 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     // wide. From so far away the distance is right to 1e-4 in single precision.
     constexpr double kGrazing = 0.0025;
     constexpr double kGrazingDistance = 60.0;
-    constexpr double kNear = 0.0025;  // in float right to 1e-5
+    constexpr double kNear = 0.0025;  // right to 1e-5 in single precision
     constexpr double kNearTolerance = 5e-5;
     constexpr double kFar = 2000.0;
     const Vector3 normal = scene.planes[0].normal.normalised();
@@ -137,7 +137,7 @@ void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& 
             asked.push_back(hitAt(plane.point + side * aside, scene, 0, Place::outside, down,
                                   draw.between(2.0, 5.0)));
         }
-        // In float right to 1e-4.
+        // Right to 1e-4 in single precision.
         const Vector3 down = draw.directionAround(-normal, 0.5);
         asked.push_back(hitAt(plane.point + side * kFarthest, scene, 0, Place::outside, down,
                               draw.between(0.02, 0.03)));
@@ -195,7 +195,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
     SceneDescription scene;
     std::vector<AskedHit> asked;
     for (int i = 0; i < 5; ++i) {
-        // The last two lie behind the camera, where mirrors and lights look.
+        // The last two lie behind the camera, where mirrored rays and shadow rays meet them.
         const double side = i < 3 ? 1.0 : -1.0;
         const Vector3 point{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
                             side * draw.between(2.0, 6.0)};

@@ -117,7 +117,7 @@ std::optional<Finding> checkColours(const MirrorQuestion& asked,
     return maintick::failure(isBase ? kMirrorBase : kMirrorWrong, seen);
 }
 
-/// Two mirrors that face each other, in the light.
+/// Judges two mirrors that face each other, lit by a point light.
 std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& run) {
     const auto& direct = std::get<probe::IlluminateAnswer>(run.answers.at(0)).colours;
     const auto& given = std::get<probe::IlluminateAnswer>(run.answers.at(1)).colours;
@@ -187,7 +187,7 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
                                          maintick::kDeepest));
 }
 
-/// What a seed asks.
+/// The questions of one seed.
 struct MirrorPlan {
     explicit MirrorPlan(std::uint64_t seed)
         : open(maintick::drawOpenScene(seed)),
@@ -202,7 +202,8 @@ struct MirrorPlan {
     std::vector<maintick::MixedMirror> mixed;
 };
 
-/// What the first questions left open: mirrors that face each other, and mixed scenes.
+/// Judges what the first questions leave open: mirrors that face each other, a mirror that a ray
+/// grazes, and mixed scenes.
 std::optional<TaskJudgement> askMore(const MirrorPlan& plan, probe::Examinee& examinee,
                                      std::vector<Finding>& findings) {
     constexpr std::size_t kBeforeMixed = 6;

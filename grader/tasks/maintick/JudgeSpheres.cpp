@@ -161,7 +161,7 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
     SceneDescription scene;
     std::vector<AskedHit> asked;
     for (const double radius : {2.0, 0.35, 1.3, 0.6, 2.4}) {
-        // The last two lie behind the camera, where mirrors and lights look.
+        // The last two lie behind the camera, where mirrored rays and shadow rays meet them.
         const double side = scene.spheres.size() < 3 ? 1.0 : -1.0;
         const Vector3 centre{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
                              side * draw.between(2.0, 6.0)};

@@ -41,8 +41,8 @@ struct LitQuestion {
 /// certain.
 inline constexpr double kRounding = 1e-13;
 
-/// Ambient light and a point light so faint that no tolerance hides either: both add less than one
-/// step of a byte.
+/// Makes the ambient light and the point light so faint that each adds less than one step of a
+/// byte, and no tolerance hides either.
 /// @param setup  Has one light.
 void dim(Draw& draw, LitSetup& setup);
 
@@ -57,7 +57,7 @@ void layOnSphere(LitSetup& setup, double radius, double height);
 /// @param distance  From the point, world units.
 void addLight(Draw& draw, LitSetup& setup, double distance, double intensity);
 
-/// The same, but for N.L from 0.02 to 0.04.
+/// The same with N.L from 0.02 to 0.04.
 void addGrazingLight(Draw& draw, LitSetup& setup, double distance, double intensity);
 
 /// The questions of M2.

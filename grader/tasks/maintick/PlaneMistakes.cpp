@@ -39,7 +39,7 @@ Distance planeUnlessStill(const raytracer::SceneDescription& scene, int object, 
                        met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
 }
 
-/// As if the normal were an axis.
+/// The distance if the normal were this axis.
 template <double Vector3::*Coordinate>
 Distance alongAxis(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
     const auto& plane = scene.planes[static_cast<std::size_t>(object)];
@@ -48,7 +48,7 @@ Distance alongAxis(const raytracer::SceneDescription& scene, int object, const R
     return ifAhead((plane.point.*Coordinate - ray.origin.*Coordinate) / slope);
 }
 
-/// As if the normal were the axis that it is nearest to.
+/// The distance if the normal were the axis that it is nearest to.
 Distance alongNearestAxis(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
     const Vector3& N = scene.planes[static_cast<std::size_t>(object)].normal;
     const double x = std::abs(N.x);
@@ -59,7 +59,7 @@ Distance alongNearestAxis(const raytracer::SceneDescription& scene, int object, 
                   : alongAxis<&Vector3::z>(scene, object, ray);
 }
 
-/// No hits far from the plane's point.
+/// The right distance, but no hit far from the plane's point.
 Distance withRim(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
     constexpr double kWithin = 4.0;
     const auto distance = met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray);

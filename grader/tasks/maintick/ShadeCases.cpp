@@ -61,7 +61,7 @@ ShadeCase ofTwoBalls(Draw& draw, bool firstIsBeyond) {
     return made;
 }
 
-/// Far from the origin of the world, where a bias proportional to the coordinates is large.
+/// A case far from the origin of the world, where a bias proportional to the coordinates is large.
 ShadeCase farOff(Draw& draw) {
     constexpr double kFarOff = 60.0;
     ShadeCase made = withBall(draw, Occluder::before, 3.0, 1.5, 0.3);
@@ -105,7 +105,7 @@ ShadeCase betweenLights(Draw& draw) {
     return made;
 }
 
-/// On the side that the normal points to, near the highlight.
+/// A viewer on the side that the normal points to, near the highlight.
 Vector3 viewerOutside(const LitSetup& setup) {
     const Vector3 R = towards(setup).reflectIn(setup.N);
     return setup.P + (R + setup.N * 0.4).normalised() * 2.5;

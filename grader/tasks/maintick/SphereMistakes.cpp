@@ -48,7 +48,7 @@ Distance solved(const SceneDescription& scene, int object, const Ray& ray) {
     return Solve(quadraticOf(scene, object, ray));
 }
 
-/// A mistake in the choice of the root.
+/// What code answers that computes the quadratic rightly and chooses a wrong root.
 template <auto Choose>
 Distance chosen(const SceneDescription& scene, int object, const Ray& ray) {
     const Quadratic q = quadraticOf(scene, object, ray);

@@ -42,7 +42,7 @@ inline constexpr ColourRGB kBackground{0.001};
 struct TraceWay {
     ColourRGB background = kBackground;
     ColourRGB mirroredBackground = kBackground;
-    bool isDirectWhereNothingIsSeen = false;  ///< direct light only if the mirrored ray misses
+    bool isDirectWhereNothingIsSeen = false;  ///< direct light alone if the mirrored ray misses
     Vector3 (*mirrored)(const Vector3& D, const Vector3& N) =
         [](const Vector3& D, const Vector3& N) { return (-D).reflectIn(N); };
     double bias = 1e-4;
@@ -57,7 +57,7 @@ struct TraceWay {
     };
 };
 
-/// A known mistake: its name, how code with it goes about it, and what mends it.
+/// A known mistake: its name, how `trace` works with it, and what mends it.
 struct TraceMistake {
     const FindingText* finding;
     TraceWay way;

@@ -45,6 +45,7 @@ struct Recolouring {
     static constexpr double kSlight = 8.0;
     [[nodiscard]] bool isSlight() const { return distance <= kSlight; }
 };
+/// The change of colours that explains most of the difference from the scene; empty if none does.
 [[nodiscard]] std::optional<Recolouring> findRecolouring(const ByteView& picture,
                                                          const Scene& scene);
 

@@ -33,7 +33,7 @@ Candidate make(std::string_view id, const char* words, const Change& change) {
     return candidate;
 }
 
-// Rendered like the template, which is used for pictures of bump maps.
+// Pinhole camera and hard shadows, as in the template, with which pictures of bump maps are made.
 void asPinhole(Reading& reading, Mistake& mistake) {
     reading.lightShape = oracle::LightShape::centre;
     mistake.aperture = Mistake::Aperture::none;

@@ -171,7 +171,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
          .after = {{rayCounts}, {fixedSamples}}},
         {.run = [](ShadowSeen& seen) { return checkEveryLight(seen.logs); }},
         {.run = [](ShadowSeen& seen) { return checkDirectionOffset(seen.logs); }},
-        // Aims outside the ball meet the objects around the light, as they must.
+        // Aims outside the ball necessarily meet the objects around the light.
         {.run = failingShape, .hides = {{nullptr, &kShadowBeyondLight}}},
         // Copies of a few rays look crowded in every shape.
         {.run = crowding, .after = {{rayCounts}, {fixedSamples}}},

@@ -73,14 +73,14 @@ inline constexpr FindingText kShadowAmbientScaled{
 inline constexpr FindingText kShadowSpecularUnshadowed{
     .id = "shadow.specular-unshadowed",
     .words = "let highlights shine in shadow",
-    .meaning = "this term is not shadowed",
+    .meaning = "the specular term is not shadowed",
     .hint = "Scale the specular term by the share, too.",
     .section = "Soft shadows (T2.1), step 3"};
 
 inline constexpr FindingText kShadowDiffuseUnshadowed{
     .id = "shadow.diffuse-unshadowed",
     .words = "let diffuse light into shadow",
-    .meaning = "this term is not shadowed",
+    .meaning = "the diffuse term is not shadowed",
     .hint = "Scale the diffuse term by the share, too.",
     .section = "Soft shadows (T2.1), step 3"};
 

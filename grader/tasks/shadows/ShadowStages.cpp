@@ -15,7 +15,7 @@ namespace {
 // where one of them lights a point while the other is in the middle of its own. On a busy machine a
 // thread may wait for a processor until the other one has lit all its points; the question is then
 // put again.
-// @param first  The second answer is the first one to judge.
+// @param first  The run whose second answer is the first render with two threads.
 Stage judgeTogether(probe::Examinee& examinee, const probe::RenderQuestion& asked,
                     const probe::Run& first, const VisibleRays& visible) {
     // One interrupted point may have the right colour by chance.

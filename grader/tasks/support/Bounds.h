@@ -31,8 +31,9 @@ inline constexpr double kStatementRisk = 1e-11;
 [[nodiscard]] double largestGap(std::vector<double> samples,
                                 const std::function<double(double)>& distribution);
 
-/// Largest distance between the distribution functions of two sorted sets of samples; the left one
-/// is divided by `size`.
+/// Largest distance between the empirical distribution functions of two sorted sets of samples (the
+/// two-sample Kolmogorov-Smirnov statistic).
+/// @param size  The values of `left` are divided by it first.
 [[nodiscard]] double largestGap(const std::vector<double>& left, const std::vector<double>& right,
                                 double size = 1.0);
 

@@ -11,8 +11,8 @@
 
 namespace ticker::tasks {
 
-/// A rule between two findings: if the check found `found` (null: any finding), then `hidden` is
-/// only its consequence and is left out (null: all checks after it in the list are skipped).
+/// States that one finding is only the consequence of another: if the check found `found` (null:
+/// any finding), `hidden` is left out (null: all checks after it in the list are skipped).
 struct Hides {
     const FindingText* found = nullptr;
     const FindingText* hidden = nullptr;

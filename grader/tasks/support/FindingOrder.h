@@ -10,7 +10,7 @@
 
 namespace ticker::tasks {
 
-/// A finding with its text's hint and section of the handout.
+/// A finding with the id, the hint and the section of `text`.
 /// @param seen  What was expected and what was observed: the message.
 [[nodiscard]] Finding distributedFinding(const FindingText& text, Severity severity,
                                          std::string seen);

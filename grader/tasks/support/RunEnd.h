@@ -11,7 +11,7 @@ namespace ticker::tasks {
 
 /// The judgement of a task with missing answers, or whose program did not finish; empty if all
 /// answers are present and it finished.
-/// @param function  The student's function that was asked: "illuminate".
+/// @param function  Name of the student's function that was asked, for messages: "illuminate".
 [[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run,
                                                            std::string_view function);
 

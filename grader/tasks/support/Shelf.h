@@ -16,7 +16,8 @@ namespace ticker::tasks {
 template <class Key, class Kept>
 class Shelf {
 public:
-    /// @param arguments  Of the constructor, which is called if nothing is kept under this key.
+    /// The object kept under this key; it is constructed if there is none.
+    /// @param arguments  For the constructor of `Kept`.
     template <class... Arguments>
     [[nodiscard]] std::shared_ptr<Kept> of(const Key& key, Arguments&&... arguments) {
         const std::lock_guard lock{mutex_};

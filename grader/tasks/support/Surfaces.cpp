@@ -75,8 +75,8 @@ NearestHits Surfaces::hitsAlong(const Vector3& origin, const Vector3& direction)
 Sight NearestHits::sightUpTo(double reach) const {
     const bool blocked = plain < reach;
     if (plain == 0.0) return Sight::unsure;
-    // An origin inside the grown sphere would see it from inside. Such rays start at its surface,
-    // and the true radius decides.
+    // A ray that starts on a sphere starts inside the grown one and would hit that from inside. For
+    // such rays the true radius alone decides.
     const bool starts = std::min(plain, large) < 1e-2;
     if (!starts && ((small < reach) != blocked || (large < reach) != blocked)) return Sight::unsure;
     return blocked ? Sight::blocked : Sight::open;

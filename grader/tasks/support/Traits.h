@@ -16,7 +16,7 @@ template <class Asked>
 struct Trait {
     const char* words;
     bool (*holds)(const Asked&);
-    const char* hint = "";  ///< for code that is wrong there alone
+    const char* hint = "";  ///< for a student whose code is wrong for such questions alone
 };
 
 /// What sets this question apart: "no point light, a black surface". May be empty.

@@ -16,7 +16,7 @@ namespace {
 
 /// Height differences from one cell to a neighbour.
 struct Step {
-    double trueU = 0.0;  // part of the slope along u
+    double trueU = 0.0;  // by the map's slope along u alone
     double trueV = 0.0;
     double seen = 0.0;
 };
@@ -55,7 +55,7 @@ private:
     static bool isLevel(const Cell& cell) { return isFull(cell) || std::abs(cell.height) <= kNone; }
 
     void count(Letter kind, double change) {
-        // Only crossings along one axis count for that axis.
+        // A crossing counts for an axis if most of its height change comes from that axis alone.
         constexpr double kMostly = 0.8;
         LetterCount& letter = kind == Letter::h ? reading_.h : reading_.l;
         const bool alongU = std::abs(sum_.trueU) > kMostly;
@@ -121,9 +121,9 @@ Raster raster(const std::string& title, const std::vector<double>& heights) {
     return picture;
 }
 
-/// The ramps have shown that slopes tilt on larger spheres. Here two things fail: changes of the
-/// wrong sign, and hardly any change. Coarse sampling may miss many of these short edges, though it
-/// finds those of a larger map.
+/// False if many edges have the wrong sign, or if hardly any has the right one. A low share of
+/// right edges alone does not fail: the ramps have shown on larger spheres that slopes tilt, and
+/// coarse sampling may miss many of these short edges, though it finds those of a larger map.
 bool agrees(const EdgeCount& edges) {
     constexpr int kOneOf = 20;
     return 9 * edges.opposite <= edges.right && kOneOf * edges.right >= edges.crossed();

@@ -26,8 +26,8 @@ struct LetterPlan {
 
 [[nodiscard]] LetterPlan planLetters(Questionnaire& questionnaire, Draws& draws);
 
-/// Grid paths that cross the edges of one kind of letter, by the change of the recovered height
-/// there.
+/// How often the grid's rows or columns cross an edge of one kind of letter, by the change of the
+/// recovered height there.
 struct EdgeCount {
     int right = 0;
     int opposite = 0;

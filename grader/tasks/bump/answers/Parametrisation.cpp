@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kFewestSightings = 50;
 // Within this cosine of the axis (10 degrees) a point says little about its longitude.
 constexpr double kNearAxis = 0.985;
-// A difference that reaches across the seam shows no place: three texels of a map of 260.
+// Turns from the seam: so near, a finite difference may reach across it, and the tilt shows no map
+// coordinate. A little more than three texels of a map with 260 columns.
 constexpr double kNearSeam = 0.015;
 
 double fraction(double value) {
@@ -30,8 +31,9 @@ Vector3 solve(const Vector3& a, const Vector3& b, const Vector3& c, const Vector
            determinant;
 }
 
-/// The vector whose dot products with the directions fit cos(pi v) best, in least squares over the
-/// points within `tolerance` of the products of `guess`.
+/// Least-squares fit of the axis: the vector whose dot products with the directions are nearest to
+/// cos(pi v). Points whose cos(pi v) differs by more than `tolerance` from their dot product with
+/// `guess` are left out.
 Vector3 fitAxis(const std::vector<Sighting>& sightings, const Vector3& guess, double tolerance) {
     Vector3 xs;
     Vector3 ys;

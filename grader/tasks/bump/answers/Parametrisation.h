@@ -60,7 +60,7 @@ struct Sighting {
 /// How well a parametrisation explains the sightings.
 struct ParametrisationFit {
     Parametrisation parametrisation;
-    double axisLength = 0.0;    ///< 1 if rows follow the polar angle
+    double axisLength = 0.0;    ///< length of the fitted axis: 1 if rows follow the polar angle
     double medianUError = 0.0;  ///< turns
     double medianVError = 0.0;  ///< half turns
     double strayShare = 0.0;    ///< points that are off by more than `kStray`

@@ -13,7 +13,8 @@ std::vector<Sighting> transpose(std::vector<Sighting> seen) {
     return seen;
 }
 
-/// True if hardly any bow tilts against its ramp, though half of every bow falls.
+/// True if hardly any tilt on the bow opposes the one on the ramp, although half of every bow
+/// falls.
 bool losesSigns(const std::vector<RampTilts>& tilts, Vector3 RampTilts::*ramp,
                 Vector3 RampTilts::*bow) {
     constexpr double kHardlyAny = 0.1;

@@ -23,8 +23,11 @@ struct Reply {
     Vector3 across;      // the map's other unit tangent
     Vector3 tilt;
 
+    /// Part of the tilt away from the rising slope: positive if bright texels are raised.
     [[nodiscard]] double towards() const { return -tilt.dot(alongSlope); }
+    /// Part of the tilt across the slope.
     [[nodiscard]] double sideways() const { return -tilt.dot(across); }
+    /// Direction of the tilt, radians: 0 is right, pi inverted.
     [[nodiscard]] double angle() const { return std::atan2(sideways(), towards()); }
     [[nodiscard]] std::size_t band() const {
         return std::min(kBands - 1, static_cast<std::size_t>(v * kBands));

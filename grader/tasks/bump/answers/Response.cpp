@@ -11,12 +11,12 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// Poles and the seam have rules of their own. Differences over a hundredth of the map reach this
-// far.
+// Points nearer than this to a pole or the seam are left out: code may treat them specially, and
+// differences over a hundredth of the map reach this far.
 constexpr double kPoleMargin = 8.0 / 180.0;
 constexpr double kSeamMargin = 0.012;
-// A tilt below this share of the usual one counts as no tilt. At 8 degrees from the pole sin theta
-// is 0.14.
+// A tilt below this share of the usual one counts as no tilt. Tilts that shrink with sin theta stay
+// above it: at 8 degrees from the pole it is 0.14.
 constexpr double kDeadShare = 0.01;
 // Isolated points may stray for unknown reasons, but not so many that a picture shows them.
 constexpr double kAlmostAll = 0.985;
@@ -188,9 +188,10 @@ std::array<double, 2> matrixRow(const std::vector<Reply>& replies) {
     return {towards / length, sideways / length};
 }
 
-// Whether the tilts lean aside in the mean over the sphere, each perhaps by less than its
-// tolerance: a slope along one axis adds to the other's. Tangents at the texel lean one way in the
-// north and the other way in the south. Right submissions from outside had at most 0.0004.
+// True if the tilts deviate to one side in the mean over the sphere, even if each stays within its
+// tolerance: a slope along one axis adds to the other's. Tangents computed at the texel do not
+// count, because they deviate to opposite sides in the north and in the south. Right submissions
+// from outside had at most 0.0004.
 bool leans(const std::vector<Reply>& replies) {
     constexpr double kMost = 0.04;
     const auto [towards, sideways] = matrixRow(replies);

@@ -35,7 +35,7 @@ inline constexpr std::size_t kSectors = 8;  ///< of longitude
 struct AxisResponse {
     Sense sense = Sense::mixed;
     SenseShares shares;
-    /// Bands in which sectors of longitude disagree about the direction.
+    /// Number of bands in which the direction changes with the longitude.
     int bandsThatTurn = 0;
     /// Largest ratio of strengths between two sectors of longitude, after the dependence on
     /// latitude is divided out.

@@ -86,7 +86,8 @@ double findTangentTurn(const Replies& replies, const Parametrisation& parametris
 /// True if the tangents take sines and cosines of angles in degrees: the longitude, counted from
 /// where the student's is 0, and the polar angle both grow 57 times as fast as the point's.
 bool areInDegrees(const Replies& replies, const Parametrisation& parametrisation) {
-    // Half a texel's uncertainty in u is then 5 degrees; by chance a twelfth of the tilts fits.
+    // Half a texel's uncertainty in u becomes 5 degrees here. Wrong tangents explain a twelfth of
+    // the tilts by chance.
     constexpr double kExplained = 0.7;
     constexpr double kFaster = kDegrees - 1.0;
     struct InDegrees {

@@ -17,13 +17,15 @@ struct CapRing {
     double from;  // degrees from the pole
     double to;
 };
-// The inner one lies within a helper's usual limit of 0.995 (5.7 degrees), the outer one within
-// 0.99.
+// Code that builds tangents from a helper vector usually takes another helper near its ends: beyond
+// a cosine of 0.995 (within 5.7 degrees), where the inner ring lies, or beyond 0.99, where the
+// outer one does.
 constexpr std::array<CapRing, 2> kCapRings{{{4.5, 5.5}, {5.7, 8.0}}};
 constexpr std::size_t kCapGroups = kCapEnds.size() * kCapRings.size();  // of each axis
 constexpr std::size_t kRingPoints = 48;                                 // of a group
 
-/// Even round the ring, from a random place on: tangents that do not turn with it must be seen.
+/// Adds points that are spread evenly round the ring from a random start, so that tangents that do
+/// not turn with the longitude show.
 void addCapRing(std::vector<Vector3>& directions, Draws& draws, const Vector3& pole,
                 const CapRing& ring) {
     const Vector3 across{pole.y, pole.z, pole.x};
@@ -37,7 +39,8 @@ void addCapRing(std::vector<Vector3>& directions, Draws& draws, const Vector3& p
     }
 }
 
-/// From black to white, a byte for each texel: code that rounds heights to bytes sees every step.
+/// Heights from black to white, one byte more in each texel: code that rounds heights to bytes sees
+/// every step.
 std::vector<double> everyByteOnce() {
     constexpr int kBytes = 256;
     std::vector<double> heights;
@@ -46,9 +49,9 @@ std::vector<double> everyByteOnce() {
     return heights;
 }
 
-/// Rises by a byte from row to row within 11 degrees of either end, and falls in between: a row
-/// that is read elsewhere than near the pole shows. Comparisons over a hundredth of the map stay
-/// within these 11 degrees.
+/// Heights that rise by a byte from row to row within 11 degrees of either end and fall in between,
+/// so that the tilt shows if code reads a row far from the pole. Differences over a hundredth of
+/// the map stay within these 11 degrees.
 std::vector<double> risingNearEnds(int rows) {
     constexpr int kEndRows = 16;
     constexpr int kFirst = 224;
@@ -69,9 +72,10 @@ std::optional<std::size_t> axisOf(const Parametrisation& parametrisation) {
     return std::nullopt;
 }
 
-/// Least share of the groups of one axis.
+/// Smallest share of right tilts among the groups of one axis.
 /// @param falls   Unit tangent along which the ramp falls.
-/// @param counts  False for points that may compare both ends of the ramp.
+/// @param counts  False for points that are left out: their difference may span both ends of the
+///                ramp.
 template <typename Falls, typename Counts>
 double leastShare(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
                   std::size_t axis, Falls falls, Counts counts) {
@@ -95,7 +99,7 @@ double leastShare(const std::vector<Vector3>& directions, const std::vector<Vect
 }  // namespace
 
 CapPlan planCaps(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
-    // So fine that the chords of three texels do not cross the pole.
+    // So many texels that a chord over three of them does not cross the pole.
     constexpr int kCapAcross = 200;
     CapPlan plan;
     for (const Vector3& axis : kCapAxes)

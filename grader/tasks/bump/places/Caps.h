@@ -9,9 +9,9 @@
 
 namespace ticker::tasks::bump {
 
-/// Ramps of whole bytes along u and along v, on rings round both ends of each axis. The ramp along
-/// v is turned round farther from the ends. Other questions about directions leave out what is
-/// nearer to the poles than 11 degrees.
+/// Ramps with heights in whole bytes, along u and along v, asked on rings round both ends of each
+/// axis. Other questions about directions leave out points within 11 degrees of the poles. The ramp
+/// along v rises near both ends and falls in between.
 struct CapPlan {
     std::vector<Vector3> directions;  ///< group after group: axis by axis, end by end, ring by ring
     LevelPair columns;
@@ -34,8 +34,8 @@ struct Caps {
     [[nodiscard]] bool good() const { return goodU() && goodV(); }
 };
 
-/// Returns 1 if the question does not apply: the map's poles lie on no axis of space, or half of a
-/// group is not tilted.
+/// A share is 1 if the question does not apply: the map's poles lie on no axis of space. Groups of
+/// which more than half is not tilted are left out.
 [[nodiscard]] Caps readCaps(const CapPlan& plan, const Answers& answers,
                             const Parametrisation& parametrisation);
 

@@ -5,7 +5,7 @@
 namespace ticker::tasks::bump {
 
 ElsewherePlan planElsewhere(Questionnaire& questionnaire, std::size_t here) {
-    // A copy: adding a question moves the others.
+    // A copy, because adding a question may move the others in memory.
     const probe::NormalQuestion seen = questionnaire.question(here);
     std::vector<Vector3> directions;
     directions.reserve(seen.positions.size());
@@ -15,8 +15,8 @@ ElsewherePlan planElsewhere(Questionnaire& questionnaire, std::size_t here) {
 }
 
 Elsewhere readElsewhere(const ElsewherePlan& plan, const Answers& answers) {
-    // Six degrees. Slopes over a millionth of the map in single precision change by an eighth, and
-    // the normal by half of that.
+    // Six degrees. Rounding changes single-precision slopes over a millionth of the map by an
+    // eighth, and the normal by half of that.
     constexpr double kTurned = 0.1;
     const std::vector<Vector3>& here = answers.answer(plan.here).normals;
     const std::vector<Vector3>& there = answers.answer(plan.there).normals;

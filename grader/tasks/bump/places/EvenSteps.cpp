@@ -11,9 +11,9 @@ namespace ticker::tasks::bump {
 namespace {
 
 constexpr int kWhite = 255;
-/// Points in each column, at the same places in all of them. A difference to u plus a small step is
-/// a whole grey level or none, depending on the place. Rounding may decide which at two places, but
-/// not at three.
+/// Points in each column, at the same places in all of them. If heights are cut to whole grey
+/// levels, a difference to u plus a small step is one level or 0, depending on the place. Rounding
+/// may decide which at two of the places, but not at all three.
 constexpr std::size_t kPlaces = 3;
 
 probe::HeightMapDescription upAndDown() {

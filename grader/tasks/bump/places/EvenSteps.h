@@ -18,10 +18,10 @@ struct EvenStepPlan {
 [[nodiscard]] EvenStepPlan planEvenSteps(Questionnaire& questionnaire, Draws& draws,
                                          const Ball& ball);
 
-/// Share of the columns whose tilt along u is not that of the columns around, at the place within a
-/// column where it is least. The slope is the same everywhere but at black and at white, whatever
-/// the reading. Heights that are cut to whole grey levels lose one now and then: the step before is
-/// then 0, and the one after twice as high.
+/// Share of the columns whose tilt along u differs from that of the columns around. It is measured
+/// at several places within the columns, and the smallest share counts. The slope is the same
+/// everywhere but at black and at white, whatever the reading. Heights that are cut to whole grey
+/// levels lose one now and then: the step before is then 0, and the one after twice as high.
 struct EvenSteps {
     double uneven = 0.0;
 
@@ -29,7 +29,7 @@ struct EvenSteps {
     [[nodiscard]] bool good() const { return uneven <= 0.05; }
 };
 
-/// Returns 0 if the map's poles do not lie above and below.
+/// @return  0 if the map's poles do not lie above and below.
 [[nodiscard]] EvenSteps readEvenSteps(const EvenStepPlan& plan, const Answers& answers,
                                       const Parametrisation& parametrisation);
 

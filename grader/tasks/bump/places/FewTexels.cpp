@@ -38,7 +38,8 @@ public:
     /// @param coordinate  Of the map, 0 to 1.
     /// @param along       The tilt along growing coordinates.
     void add(double coordinate, double along) {
-        // Half of a texel: there, rounding to the nearest texel gives no edge either.
+        // The half of the texel in which rounding to the nearest texel does not lead to the map's
+        // edge either.
         constexpr double kFrom = 1.55;
         constexpr double kTo = 1.95;
         const double fromStart = coordinate * count_;
@@ -85,9 +86,10 @@ public:
         if (isBefore(at, count_ / 2 + 1)) middle_.add(along);
     }
     /// 1 if nothing tilts before the ridge in the middle, as with differences to the texel before,
-    /// or if the last texel's own points do not show it.
+    /// or if the ridge at the end does not show on its own texel.
     [[nodiscard]] double beforeLast() const {
-        // Of the points of three texels. The last row has a ninth of those of the last three.
+        // A share of the points of three texels. The last row, next to the pole, has only a ninth
+        // of the points of the last three.
         constexpr double kShown = 0.06;
         if (middle_.rising() < kShown || end_.falling() < kShown) return 1.0;
         return end_.rising() / middle_.rising();
@@ -158,7 +160,7 @@ private:
     std::vector<double> steepest_;
 };
 
-/// Tilts along u in the first and in the last column, in shares of those along v.
+/// Tilts along u in the first and in the last column, divided by those along v.
 class AsideShare {
 public:
     /// @param u  Of the map, 0 to 1.

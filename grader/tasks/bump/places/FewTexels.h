@@ -9,14 +9,15 @@
 
 namespace ticker::tasks::bump {
 
-/// Chords over three columns of 24 turn by 45 degrees; those of rows lie in one plane.
+/// Chords over three of 24 columns already turn by 45 degrees; those over rows stay in one plane,
+/// so that fewer rows will do.
 inline constexpr int kFewColumns = 24;
 inline constexpr int kFewRows = 12;
 
 /// A map of few columns that vary along u alone, and one of few rows that vary along v alone: one
-/// wave from edge to edge, high at both. So few that the texels beside the outermost ones show.
-/// Likewise two maps that are flat but for two higher columns, the last one and one in the middle,
-/// or for two such rows.
+/// wave from edge to edge, high at both. The texels are so large that those next to the outermost
+/// ones show. Two more maps are flat but for two higher columns (on the other map, rows): the last
+/// one and one in the middle.
 struct FewTexelPlan {
     std::vector<Vector3> directions;
     LevelPair columns;

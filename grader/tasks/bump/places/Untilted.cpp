@@ -50,7 +50,7 @@ HeightMapDescription coarse(Draws& draws, int width, int height) {
 }
 
 /// Rises and falls along one diagonal in the left half, along the other in the right one. The bytes
-/// are such that equal steps are equal heights to the last bit.
+/// are chosen so that equal steps differ in height by exactly the same, to the last bit.
 HeightMapDescription diagonal(Draws& draws) {
     constexpr int kPeriod = 14;
     constexpr int kStep = 16;
@@ -176,7 +176,7 @@ Untilted readUntilted(const UntiltedPlan& plan, const Answers& answers) {
     for (std::size_t i = 0; i < kWhereabouts; ++i) {
         const LevelPair& pair = plan.pairs.at(i);
         const std::vector<Vector3> tilts = answers.tiltsBeyond(pair.flat, pair.map);
-        // The poles are those of one axis, whichever it is.
+        // The map's poles lie on one of the axes, and it is not known on which.
         const bool isAtPoles = static_cast<Whereabouts>(i) == Whereabouts::nearPoles;
         const std::size_t groups = isAtPoles ? kAxes : 1;
         for (std::size_t group = 0; group < groups; ++group)

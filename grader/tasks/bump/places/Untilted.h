@@ -24,7 +24,7 @@ enum class Whereabouts : std::uint8_t {
 };
 inline constexpr std::size_t kWhereabouts = 10;
 
-/// A rough map on these spheres, and at these points.
+/// Questions about a rough map, and about a flat one at the same points, for each of these.
 struct UntiltedPlan {
     std::array<LevelPair, kWhereabouts> pairs;
 

@@ -48,8 +48,8 @@ Vector3 steadyMean(const Points& points, Which which, double reach) {
     return sum / count;
 }
 
-/// The tilt of a slope of two bytes, measured on the ramp: rounding causes one byte, the sphere's
-/// curvature less than another.
+/// Tolerance of `steadyMean`: the tilt of a slope of two bytes for each texel, measured on the
+/// ramp. Rounding changes a slope by one byte, the sphere's curvature by less than another.
 double reachOf(const Points& points, Which ramp) {
     return 2.0 / kBytesPerTexel *
            medianOf(points, [ramp](const RampTilts& t) { return (t.*ramp).magnitude(); });

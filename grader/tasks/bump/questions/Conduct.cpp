@@ -100,8 +100,9 @@ public:
     }
 
 private:
-    // An exception ends the program, so it counts at every point that a picture may show. A wrong
-    // value does not count at a pole, even one that faces the eye.
+    // An exception ends the program, so it counts at every point that a picture may show, also at
+    // the one nearest to the eye. A wrong value does not count there, because that point may be a
+    // pole.
     [[nodiscard]] bool ends() const { return shows() || place_ == Place::nearestPoint; }
     [[nodiscard]] bool shows() const {
         return place_ == Place::ordinary || place_ == Place::rough ||
@@ -140,8 +141,8 @@ private:
         if (tilt > conduct_.largestTilt) conduct_.largestTilt = tilt;
     }
 
-    /// The answer has the number of exceptions, but not their points: normally these are the points
-    /// that are not finite.
+    /// The answer says how many exceptions there were, but not at which points: the first points
+    /// without a finite normal are taken for them.
     void readUnanswered(std::size_t point) {
         if (answer_.state == AnswerState::missing) return note(conduct_.missing, question_, point);
         if (exceptionsSeen_ == answer_.exceptions) return note(notFinite(), question_, point);

@@ -21,7 +21,7 @@ enum class Place {
     tinyMap        ///< an ordinary point of a map of 4 x 4 texels
 };
 
-/// Questions at special points. Every other question has a kind of point, too.
+/// Questions at special points, and the kind of the points of all other questions.
 struct ConductPlan {
     std::size_t visibleMeridian = 0;
     std::size_t hiddenMeridian = 0;

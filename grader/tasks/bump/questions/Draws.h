@@ -16,7 +16,8 @@ namespace ticker::tasks::bump {
 
 using raytracer::Vector3;
 
-/// The direction at an angle round the sphere, 0 in front, and an angle from its top.
+/// Unit vector at a longitude (0 towards the camera, growing to the right, +x) and a polar angle
+/// (from +y), both in radians.
 [[nodiscard]] inline Vector3 directionAt(double longitude, double polarAngle) {
     const double ring = std::sin(polarAngle);
     return {ring * std::sin(longitude), std::cos(polarAngle), -ring * std::cos(longitude)};

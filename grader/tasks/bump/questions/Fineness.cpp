@@ -34,6 +34,8 @@ bool isAwayFromSeam(double u) {
     return u > kMargin && u < 1.0 - kMargin;
 }
 
+/// 1 if the two tilts of every pair are opposite, -1 if they are equal; 1, too, if they are so
+/// small that they show nothing.
 /// @param counts  Whether the pair that begins at a point is compared.
 /// @param along   The tangent at either point along which tilts are measured.
 /// @param usual   The tilt on a ramp of this slope.
@@ -72,7 +74,7 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
         plan.pairsV.push_back(directionAt(longitude, polarAngle));
         plan.pairsV.push_back(directionAt(longitude, polarAngle + kStepV));
     }
-    // Where a table of arc cosines has its widest steps.
+    // Near the poles a table of arc cosines has its widest steps.
     for (int i = 0; i < kPairsNearPoles; ++i) {
         const double longitude = draws.uniform(0.0, 2.0 * kPi);
         const double fromPole = draws.uniform(kNearPole, kBesidePole) * kPi;

@@ -28,8 +28,9 @@ struct MapEdges {
     double seam = 1.0;     ///< first and last columns
     double endRows = 1.0;  ///< first and last rows
 
-    // Neighbours at the edge are at most three slopes away. The height of the map's middle would be
-    // 20, a height of 0 would be 130, or 21 with a difference over six texels.
+    // Accepted neighbours at the edge give at most three slopes. A neighbour as high as the map's
+    // middle would give 20, one of height 0 would give 130, or 21 with a difference over six
+    // texels.
     static constexpr double kMost = 6.0;
     [[nodiscard]] bool goodSeam() const { return seam <= kMost; }
     [[nodiscard]] bool goodEndRows() const { return endRows <= kMost; }

@@ -15,7 +15,7 @@ using probe::HeightMapDescription;
 // A hundredth of the map is four texels, so that every difference spans random texels.
 constexpr int kWidth = 400;
 constexpr int kHeight = 200;
-constexpr int kLevels = 5;  // random heights: 0 to 5 of these
+constexpr int kLevels = 5;  // random texels are 0 to 5 levels high
 
 HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
     HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
@@ -109,7 +109,8 @@ StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.directions[i];
         if (!isOrdinary(parametrisation, n)) continue;
-        // The code's own strength may grow towards the poles: all points shall weigh alike.
+        // Divided by the code's own strength, which may grow towards the poles, so that all points
+        // weigh alike.
         const double v = parametrisation.v(n);
         alongU.add(-onU.sign() * tilts[i].dot(parametrisation.alongU(n)) / strengthAt(onU, v));
         alongV.add(-onV.sign() * tilts[i].dot(parametrisation.alongV(n)) / strengthAt(onV, v));

@@ -38,7 +38,7 @@ struct Proportion {
     /// Length of the tilts on gentle slopes where the map is bright over that where it is dark: the
     /// ratio of the medians.
     double brightOverDark = 1.0;
-    /// Likewise of the map that lies between both.
+    /// Likewise for the gentle map at heights between both.
     double middleOverDark = 1.0;
 
     /// Accepted readings give 23.1 to 25.1 (displaced surfaces).

@@ -25,7 +25,8 @@ double strongest(const std::vector<RampTilts>& tilts) {
 /// direction.
 void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
                   LadderJudgement& judgement) {
-    // Exact normal of the displaced surface: 30. Proportional tilts: 50, or 5 from a moderate ramp.
+    // Tilts of the exact normal of the displaced surface grow 30 times, proportional tilts 50
+    // times, or 5 times from a moderate ramp.
     constexpr double kGrows = 2.0;
     std::vector<double> growth;
     double agreeing = 0.0;
@@ -57,8 +58,8 @@ void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgemen
         std::vector<RampTilts> moderate = readRamps(ladder.moderate, answers);
         const bool tells = strongest(low) > kClear && judgement.ramps.response;
         const RampJudgement second = judgeRamps(ladder.moderate.shape, moderate);
-        // With exchanged axes these long maps tilt a displaced surface little, whatever their
-        // height: only the gentle ramps are then proportional.
+        // If the axes are exchanged, the exact normal of the displaced surface tilts little on
+        // these long maps, whatever their height: only the gentle ramps are then proportional.
         if (second.response || !tells) {
             judgement.ramps = second;
             low = std::move(moderate);

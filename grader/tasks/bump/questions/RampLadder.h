@@ -27,7 +27,7 @@ struct RampLadder {
 struct LadderJudgement {
     RampJudgement ramps;         ///< on the gentlest ramps that tilt clearly
     double flatTilt = 0.0;       ///< largest median tilt on maps without slope
-    double sharedNormals = 0.0;  ///< share of the points whose normal another has, on such maps
+    double sharedNormals = 0.0;  ///< share of such maps' points that have another point's normal
     bool growsWithSlope = true;  ///< 50 times the slope tilts at least twice as much
     double steepAgrees = 1.0;    ///< share of the points at which a ramp from black to white tilts
                                  ///< in the same direction as a gentle one

@@ -46,7 +46,7 @@ struct Leans {
     std::vector<Lean> alongV;
 };
 
-/// Signs are turned, because the map falls where the ramps rise.
+/// The tilts along both axes. Their signs are turned, because the map falls where the ramps rise.
 Leans readLeans(const RegionPlan& plan, const Answers& answers, const RampJudgement& ramps) {
     const Parametrisation& parametrisation = ramps.fit->parametrisation;
     const AxisResponse& onU = ramps.response->u;

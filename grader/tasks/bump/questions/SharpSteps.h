@@ -6,14 +6,15 @@
 
 namespace ticker::tasks::bump {
 
-/// Heights of blocks, in bytes.
+/// Range of the heights of blocks, in bytes.
 struct StepHeights {
     int least = 0;
     int most = 0;
 };
-/// A signed byte holds none of them.
+/// A signed byte (at most 127) holds none of these.
 inline constexpr StepHeights kWhiteSteps{200, 240};
-/// More than 2.3 and less than 3.8: differences that wrap at 2 turn these, and not those above 4.
+/// Heights of more than 2.3 and less than 3.8: fixed-point differences that wrap at 2 turn the sign
+/// of these steps, and not of steps above 4.
 inline constexpr StepHeights kLightSteps{120, 190};
 
 /// One pattern of blocks twice, at the same points: grey on black, and higher ones.

@@ -140,7 +140,8 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     constexpr int kFieldPoints = 800;
     constexpr int kSmallPoints = 400;
     constexpr int kAlong = 1024;
-    // A step of one texel across, taken along the teeth too, smears a fifth of each tooth.
+    // Code may take a texel of this side for its step along the teeth, too, which then smears a
+    // fifth of each tooth.
     constexpr int kAcross = 160;
     SlopePlan plan;
     plan.directions = draws.directions(kPoints);
@@ -155,8 +156,8 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     const double x = draws.uniform(-0.9, 0.9);
     const Ball small{{x, draws.uniform(-0.9, 0.9), 2.0}, 0.05};
     plan.smallDirections = draws.directions(kSmallPoints);
-    // A step of 0.01 in the world is half of the shortest waves, one of a hundredth of the map a
-    // sixth, of which 0.96 agree.
+    // A step of 0.01 in the world is half as long as the shortest waves. A step of a hundredth of
+    // the map is a sixth as long, and 0.96 of its slopes agree.
     plan.smallField = questionnaire.addPair(small, randomField(draws, 2), plan.smallDirections);
     return plan;
 }

@@ -41,7 +41,8 @@ struct SlopeAgreement {
         return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldAgrees();
     }
     [[nodiscard]] bool fieldAgrees() const { return fieldU >= 0.9 && fieldV >= 0.9; }
-    /// False where neighbours lie a length of the world apart: 0.01 is 0.06 of this map's height.
+    /// False for neighbours at a fixed distance in the world: on the small sphere 0.01 is 0.06 of
+    /// the map's height.
     [[nodiscard]] bool smallAgrees() const { return smallU >= 0.9 && smallV >= 0.9; }
 };
 

@@ -21,7 +21,7 @@ Vector3 drawPlace(Draws& draws) {
 raytracer::Material drawMaterial(Draws& draws) {
     raytracer::Material material;
     material.colour = drawColour(draws);
-    // As in most scene files, which leave the other properties at their defaults.
+    // Half of the materials have a colour alone, as in most scene files.
     if (draws.integer(0, 1) == 0) return material;
     material.phongKD = draws.uniform(0.3, 1.0);
     material.phongKS = draws.uniform(0.0, 1.5);

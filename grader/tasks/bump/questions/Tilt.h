@@ -59,6 +59,7 @@ public:
     explicit Questionnaire(std::uint64_t seed = 0) : draws_(seed + 0xFACADEU) {}
 
     /// Asks for the normals of `ball` at the points that lie in `directions`.
+    /// @return  The question's number.
     std::size_t add(const Ball& ball, probe::HeightMapDescription map,
                     const std::vector<Vector3>& directions);
 
@@ -86,6 +87,8 @@ public:
     [[nodiscard]] const Questionnaire& asked() const { return *asked_; }
     /// The answer to a question. It has as many normals as were asked for; a missing normal is NaN.
     [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
+    /// For each point the part of the normal across the smooth one, divided by the part along it,
+    /// so that it is proportional to the slope. Not finite for a missing normal.
     [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
     /// The tilts less those on a flat map of the same size at the same points: the chords of a
     /// displaced surface lean even on a flat map, by half of their step.

@@ -30,7 +30,7 @@ constexpr const char* kNegativeU =
 
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
-    // The value of a NaN or of a far too large double as an int.
+    // What a NaN, or a double that is far too large, becomes as an int.
     const bool overflow = offence.message.find("2147483648") != std::string::npos;
     Words words;
     words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
@@ -102,7 +102,7 @@ Words swappedWords(const Examination& examination, const std::optional<Hints>& h
         "Option 1: The sign trap; What to do, step 2"};
 }
 
-/// The fault of the points that were answered is reported beside the exception.
+/// Adds to the words of an exception those of the fault that the answered points show.
 void addNext(Words& words, const Words& next) {
     words.message += " Where it answers, another mistake shows: " + next.message;
     words.hint += " Then: " + next.hint;

@@ -59,8 +59,8 @@ bool tiltsWithoutSlope(const Examination& examination) {
     return examination.ladder.flatTilt > kFlatTilt;
 }
 
-/// Any strength is right that leaves some of the normal: a strength of 20 leaves 0.001 on these
-/// ramps.
+/// True if the normals of the ramps lie flat in the surface. Any strength of the tilt is accepted
+/// that leaves some part along the smooth normal: a strength of 20 leaves 0.001 on these ramps.
 bool liesFlat(const Examination& examination) {
     constexpr double kFlat = 1e3;
     const RampStrength& strength = examination.ramps().strength;
@@ -77,8 +77,8 @@ bool hasSenses(RampKind kind) {
            kind == RampKind::invertedV;
 }
 
-/// Right code never gives the normal of one point at another, unless it keeps tables of angles:
-/// these leave each axis its sense.
+/// True if many points share their normal. Right code gives no normal at two points, unless it
+/// keeps tables of angles, and then each axis keeps one sense on the ramps.
 bool roundsNormals(const Examination& examination) {
     constexpr double kMany = 0.1;
     return !hasSenses(examination.ramps().kind) && examination.ladder.sharedNormals > kMany;
@@ -139,8 +139,8 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.conduct.memory > kSomeChange; }},
     Rule{WrongReason::wallAtSeam,
          [](const Examination& e) { return e.edges && !e.edges->goodSeam(); }},
-    // Slopes that lose a step make pairs of the zigzag equal, too; rounded coordinates leave rises
-    // and falls in balance.
+    // This rule comes before `coordinatesRounded`: slopes that lose a step make pairs of the zigzag
+    // equal, too, while rounded coordinates leave rises and falls in balance.
     Rule{WrongReason::stepsLost,
          [](const Examination& e) { return e.balance && !e.balance->good(); }},
     Rule{WrongReason::coordinatesRounded,

@@ -72,8 +72,8 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const Examination& examination,
                                  const std::optional<Hints>& hints = {});
 
-/// True if columns and rows are exchanged in the look-up. Such a look-up leaves the map unless the
-/// map is square, so that the hints may show it alone.
+/// True if columns and rows are exchanged in the look-up. Such a look-up reads outside of the map
+/// unless the map is square, so that it may show in the hints alone.
 [[nodiscard]] bool isTransposed(const Examination& examination, const std::optional<Hints>& hints);
 
 /// True if row 0 lies at the bottom of the sphere.
@@ -82,6 +82,7 @@ struct Diagnosis {
 /// True if nearly every normal points into the sphere. No other result then has its usual meaning.
 [[nodiscard]] bool pointsInwards(const Examination& examination);
 
+/// The first reason of Fault::wrong that applies; empty if none does.
 [[nodiscard]] std::optional<WrongReason> findWrong(const Examination& examination);
 
 }  // namespace ticker::tasks::bump

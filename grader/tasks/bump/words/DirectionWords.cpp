@@ -73,7 +73,7 @@ bool isNear(const AxisResponse& axis, double degrees) {
     });
 }
 
-/// True if a slope along the one axis tilts half along each, and along the other one is right.
+/// True if a slope along the first axis tilts as much along the other, whose own slopes tilt right.
 bool tiltsAlongBoth(const AxisResponse& axis, const AxisResponse& other) {
     return isNear(axis, 45.0) && isNear(other, 0.0);
 }

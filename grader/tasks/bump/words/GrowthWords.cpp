@@ -40,7 +40,8 @@ std::string lostEdges(const StepBalance& balance) {
     return fmt::format("{} along u and those {} along v", lost(balance.u), lost(balance.v));
 }
 
-/// How far a slope tilts the normal at some height of the map, in units of where it is dark.
+/// How far a slope tilts the normal at some height of the map, divided by how far it does where the
+/// map is dark.
 struct Grey {
     double tilt;
     const char* name;

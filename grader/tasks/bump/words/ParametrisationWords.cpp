@@ -84,7 +84,7 @@ Words landingWords(const Examination& examination, const std::optional<Hints>& h
     const RampJudgement& ramps = examination.ramps();
     const bool lost = ramps.kind == RampKind::signLost;
     if (!hints) return lost ? lostSignWords() : Words{strayMessage(ramps), kCheckAngles, kSection};
-    // The sphere aside has a square map as well, so that its size is not what is wrong there.
+    // The sphere that lies aside has the same square map, so that the map's size is not the cause.
     if (isWrongAsideAlone(hints)) return asideWords();
     if (hints->square.kind == RampKind::right) return sizeWords();
     const std::string spheres = hintFromSpheres(*hints);

@@ -19,7 +19,7 @@ constexpr const char* kRowZero =
 struct AxisNames {
     const char* axis;
     const char* other;
-    const char* reversed;  ///< another place for the sign
+    const char* reversed;  ///< part of the hint: another place where the sign may be
     const char* rise;
     const char* wrongEdges;
     const char* rightEdges;

@@ -43,12 +43,12 @@ struct LensLog {
 /// Whether pixels exist whose rays cannot be judged: without any ray, or with an extra ray alone.
 [[nodiscard]] bool lacksRays(const LensLog& log);
 
-/// Finds the lens rays and the pixel of each. A ray that is traced before a pixel is set belongs to
-/// that pixel. If some pixel then lacks rays, since loops run in another order, it belongs to the
-/// camera ray before it, or else to the pixel with the nearest focal point. So does a ray of a
-/// thread that sets no pixel and asks for no camera ray, but traces a part of the rays for a thread
-/// that does. A ray that hits nothing and is therefore not traced counts as traced. `asked` must
-/// outlive the log.
+/// Finds the lens rays and the pixel of each. A ray belongs to the pixel that is set next after it.
+/// If that leaves some pixel without all its rays, because loops run in another order, a ray
+/// belongs to the pixel of the camera ray before it, or else to the pixel whose focal point it
+/// passes nearest. The same holds for a ray of a thread that sets no pixel and asks for no camera
+/// ray, but traces a part of the rays for a thread that does. A ray that hits nothing and is
+/// therefore not traced counts as traced. `asked` must outlive the log.
 [[nodiscard]] LensLog readLensLog(const probe::RenderQuestion& asked,
                                   const probe::RenderAnswer& answer);
 

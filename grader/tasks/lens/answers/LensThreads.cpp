@@ -60,7 +60,7 @@ public:
                 break;
         }
     }
-    /// No event of this thread follows.
+    /// To be called after the last event of this thread.
     void finish() {
         for (auto* list : {&entered_, &cast_})
             for (PlacedRay& ray : *list)

@@ -41,9 +41,9 @@ enum class Exactness {
 [[nodiscard]] ExpectedPicture expectedPicture(const probe::RenderQuestion& asked,
                                               const oracle::Reading& reading, std::uint64_t seed,
                                               Exactness exactness = Exactness::judging);
-/// The mean under a mistake, as a template. Its noise costs power, but no validity. It has an
-/// eighth of the paths that an expected picture of the same exactness has at least, as many for
-/// each pixel.
+/// The mean picture under a mistake: the template of a matched filter. Its noise lowers the test's
+/// power, but leaves it valid. Each pixel has the same number of paths, an eighth of the least
+/// number that an expected picture of the same exactness has.
 [[nodiscard]] Plane mistakenPicture(const probe::RenderQuestion& asked,
                                     const oracle::Reading& reading, const oracle::Mistake& mistake,
                                     std::uint64_t seed, Exactness exactness = Exactness::judging);

@@ -25,8 +25,8 @@ struct Candidate {
     return misfit > 4.0;
 }
 
-/// The misfit from a rough picture, an eighth of the time: smaller than the real one, and the more
-/// so the larger that is.
+/// The misfit from a rough picture, which takes an eighth of the time. It is smaller than the real
+/// misfit, the more so the larger that is.
 [[nodiscard]] double roughMisfit(Expectations& expectations, const SeenPictures& seen,
                                  const oracle::Reading& reading);
 

@@ -136,7 +136,7 @@ ColourRGB MixedPoints::colourOf(Hue hue) {
     return colour;
 }
 
-/// As bright at the point as the others, so that each of them counts.
+/// Adds a light that is as bright at the point as the others, so that each of them counts.
 void MixedPoints::addLight(LitSetup& setup, const Plan& plan, const LightPlan& light) {
     const double facing = light.side == Side::front ? draw_->between(0.15, 0.99)
                           : light.side == Side::low ? draw_->between(0.03, 0.1)
@@ -218,7 +218,7 @@ void assemble(Draw& draw, MixedPoint& point, std::vector<SphereDescription> sphe
 std::vector<MixedPoint> drawMixedPoints(std::uint64_t seed) {
     constexpr int kPoints = 100;
     Draw draw{seed, 109};
-    MixedPoints points{draw, {0, 1, 1, 1, 2, 2, 3, 6}, false};  // grazing light is M3.2's
+    MixedPoints points{draw, {0, 1, 1, 1, 2, 2, 3, 6}, false};  // M3.2 judges grazing light
     MixedMaterials materials{draw};
     Deck<int> others{draw, {0, 1, 2, 3, 5}};
     std::vector<MixedPoint> drawn;

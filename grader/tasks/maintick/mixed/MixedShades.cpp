@@ -118,7 +118,7 @@ std::optional<std::vector<Way>> waysOf(const MixedPoint& point) {
         const Sight sight = sightOf(point.scene, way, distance, point.object);
         if (sight == Sight::unsure) return std::nullopt;
         ways.push_back({i, {}});
-        // A little above the surface, so that this is not met.
+        // From a little above the surface, so that the ray does not meet it.
         const Ray above{way.origin + point.alone.N * 1e-4, way.direction};
         if (sight == Sight::blocked) ways.back().blocker = nearestOn(point.scene, above)->object;
     }

@@ -29,6 +29,8 @@ namespace ticker::tasks::maintick {
     return largestChannel(light.illuminationAt(distanceOf(setup, light)));
 }
 
+// Limits of what the traits call near, far, faint, bright and low. Distances are in world units;
+// light is what arrives of it in its brightest channel.
 inline constexpr double kLightNear = 1.0;
 inline constexpr double kLightFar = 15.0;
 inline constexpr double kArrivesFaint = 1.0 / 255.0;

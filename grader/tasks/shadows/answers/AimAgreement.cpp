@@ -55,7 +55,8 @@ void addMoments(const Vector3& foot, const Perpendiculars& sides, Moments& sums)
     sums.back() += std::norm(z);
 }
 
-/// Adds a line's powers to the sums, and their squares to those that independent lines would have.
+/// Adds the moments of a line to `sums`, and their squares to `apart`: sums of independent lines
+/// have these squares on average.
 void addLine(const Vector3& foot, const Perpendiculars& sides, Moments& sums,
              std::array<double, kMoments>& apart) {
     Moments line{};
@@ -113,8 +114,9 @@ bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vect
 // Limits of the sums below, in the order of Moments.
 constexpr std::array<double, kMoments> kMostUneven{42.0, 42.0, 42.0, 42.0, 50.0, 42.0};
 
-// Opposite lines cancel but for the perspective, which adds up over the points where a shape has
-// poles. A point counts with at least this share of what independent lines have.
+// Lines in opposite pairs cancel except for the perspective, and for a shape with poles that
+// remainder adds up over the points. So each point counts with at least this share of the square
+// that independent lines have.
 constexpr double kLeastSquare = 1e-3;
 
 // Take the sum of z^k over a point's lines, less its expectation. For a right shape it is as likely

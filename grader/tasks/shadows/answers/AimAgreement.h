@@ -19,9 +19,10 @@ namespace ticker::tasks {
 [[nodiscard]] bool goTogether(const std::vector<const ShadowLog*>& far,
                               const std::vector<Vector3>& directions);
 
-/// Whether the lines of each question lie evenly round their light's centre, compared with lines to
-/// the given shape: no direction, no line, no three and no four directions are preferred more. For
-/// independent points and a right shape the probability of a false "no" is below 1e-6.
+/// Tests for rotational symmetry: whether the lines of each question lie as evenly round their
+/// light's centre as lines to the given shape. No direction, no axis and no three or four
+/// directions at equal angles may be preferred more. For independent points and a right shape the
+/// probability of a false "no" is below 1e-6.
 /// @param distinct  Number of lines that count as independent.
 /// @param shape     Empty: any shape that looks the same from all sides.
 /// @param size      Factor on the shape.

@@ -19,10 +19,10 @@ struct AimShape {
     enum class Radius {
         filling,  ///< cube root of a uniform number, as in an evenly filled ball
         outer,    ///< on the surface
-        even,
-        root,  ///< square root of a uniform number
-        flat   ///< looks like an evenly filled disc from everywhere, as uniform sampling of the
-               ///< light's solid angle does
+        even,     ///< a uniform number, so that the aims are denser in the middle
+        root,     ///< square root of a uniform number
+        flat      ///< looks like an evenly filled disc from everywhere, as uniform sampling of the
+                  ///< light's solid angle does
     };
     /// Axis on whose poles samples crowd because the polar angle is uniform, as in the original's
     /// helper.

@@ -28,13 +28,13 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
     return line;
 }
 
-// Whether a ray is the line's own, cast again from a start beside the first one: code that meets
-// its own surface there goes on behind it. Both are one sample.
+// Whether a ray is that of `line`, cast again from a start farther along: code that meets the
+// surface on which its ray starts (shadow acne) goes on behind it. Both rays are one sample.
 bool isCastAgain(const AimLine& line, const raytracer::Ray& ray) {
     constexpr double kSame = 1e-12;
     constexpr double kBeside = 2e-3;
     const Vector3 moved = ray.origin - line.origin;
-    // A step back begins another sample that happens to have the same direction.
+    // A start farther back begins another sample that has the same direction by chance.
     return (ray.direction - line.direction).magnitude() < kSame &&
            moved.dot(ray.direction) > kSame && moved.magnitude() < kBeside;
 }

@@ -111,7 +111,7 @@ constexpr std::array kComparisons{
                "occluder->distance < (target - start).magnitude(). With 1 it may be compared only "
                "if the ray's direction is target - start, not normalised."}};
 
-// The sample lies anywhere in the light.
+// Unsure if the result depends on the sample's place, which may be anywhere in the light.
 Sight sightWithin(const NearestHits& hits, double distance, double radius,
                   const Comparison& comparison) {
     const Sight near = hits.sightUpTo(comparison.reachOf(distance - radius));

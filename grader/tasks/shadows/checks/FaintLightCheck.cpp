@@ -43,8 +43,8 @@ Finding lightLost(const ShadowLog& log, std::size_t rays, std::size_t asked) {
 
 }  // namespace
 
-// Of two readings that fit all other questions only one may fit a light that shines along the
-// surface, where they differ most.
+// Asks for any reading, not for the one that was found before: of two readings that fit all other
+// questions only one may fit a light that shines along the surface, where they differ most.
 std::optional<Finding> checkFaintLight(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.faintLight) {
         const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);

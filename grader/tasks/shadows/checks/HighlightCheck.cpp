@@ -39,7 +39,7 @@ struct Parts {
     double highlight = 0.0;
     double fullHighlight = 0.0;
     double alpha = 1.0;
-    double toLight = 0.0;  ///< lengths
+    double toLight = 0.0;  ///< length of the vector, world units; so is the next one
     double toViewer = 0.0;
 
     /// Factor by which the cosine in the highlight is too large.
@@ -48,7 +48,8 @@ struct Parts {
     }
 };
 
-// Solves for two numbers from three channels; empty if they do not explain the third channel.
+// Separates diffuse light and highlight: two unknowns in three channels. Empty if their colours are
+// too much alike, or if the two do not explain the third channel.
 std::optional<Parts> partsSeen(const PointLog& point, const ShadowLog& log) {
     constexpr double kUnlike = 0.01;
     constexpr double kRest = 1e-3;
@@ -161,7 +162,8 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
             if (!share) continue;
             const std::optional<Parts> seen = partsSeen(point, *log);
             if (!seen) return std::nullopt;
-            // A highlight of 1e14 leaves the sum's last digits for the diffuse light.
+            // In a sum with a highlight of 1e14 only the last digits are left for the diffuse
+            // light.
             const double rounding = 1e-13 * std::abs(seen->highlight);
             if (std::abs(seen->diffuse - *share) > kRight + rounding) return std::nullopt;
             ++points;

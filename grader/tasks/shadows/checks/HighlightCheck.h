@@ -14,7 +14,7 @@ namespace ticker::tasks {
 /// @param logs  Questions with one light each, whose colours fit no known mistake.
 [[nodiscard]] std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs);
 
-/// The same, of points where R.V is below 0 and no highlight is expected.
+/// The same for points where R.V is below 0 and no highlight is expected.
 [[nodiscard]] std::optional<Finding> highlightOfLowLight(const std::vector<const ShadowLog*>& logs);
 
 }  // namespace ticker::tasks

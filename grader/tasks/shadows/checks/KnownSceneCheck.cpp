@@ -105,7 +105,7 @@ std::optional<Finding> checkKnownScenes(const ShadowLogs& logs, const ShadowRead
     const auto fits = [&](const ShadowLog* log) {
         return allNearKnown({log}, reading.viewerIsEye) && (!raysSeen || fitsAnyReading(*log));
     };
-    // Rays to lights in one direction cannot be told apart.
+    // Rays to lights in one direction cannot be told apart, so that geometry alone decides.
     if (!allNearKnown(logs.lightsInLine, reading.viewerIsEye)) return findingFor(kLightsInLine);
     for (const KnownScene& scene : kKnownScenes)
         if (!std::ranges::all_of(logs.*scene.logs, fits)) return findingFor(scene);

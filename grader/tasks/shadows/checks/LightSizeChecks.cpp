@@ -102,8 +102,9 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs, const AimVerdi
         const bool tooFew = counts.fewest < asked;
         const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
         const bool tooNarrow = isCrowded(*log, aims, kSmallLight);
-        // Readings with wide intervals fit whenever the code's own reading does; with a smaller
-        // light only that one does.
+        // Any accepted reading may fit. The one that was found with the handout's light may have
+        // fitted because of its wide intervals; with a smaller light only the code's own reading
+        // fits.
         const bool wrongValue = !fitsAnyReading(*log);
         if (tooFew || tooWide || tooNarrow || wrongValue)
             return otherThanAsked(*log, counts, widest);

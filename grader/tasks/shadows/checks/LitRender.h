@@ -22,8 +22,8 @@ struct LitRender {
     ShadowQuestion asked;            ///< the lit points, in the form of a question
     probe::IlluminateAnswer answer;  ///< their colours and rays
     std::size_t lensRays = 0;        ///< distinct rays from outside
-    std::size_t looseRays = 0;  ///< rays between the wall and a light that no point's lighting cast
-    bool severalThreads = false;  ///< of those that lit points
+    std::size_t looseRays = 0;  ///< rays between the wall and a light, cast outside of `illuminate`
+    bool severalThreads = false;  ///< more than one thread lit points
     std::size_t interrupted = 0;  ///< points in whose lighting another thread did something
 };
 [[nodiscard]] LitRender readLitRender(const probe::RenderQuestion& asked,

@@ -98,7 +98,7 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             return finding;
         return unexplainedShadows(logs.beyondLight);
     }
-    // With several lights the same highlights would be named as lights that are mixed.
+    // Before the check of several lights, which would report the same highlights as mixed lights.
     if (!allFit(logs.lowLight, reading, ShadowArithmetic::right)) {
         const auto highlight = highlightOfLowLight(logs.lowLight);
         return highlight ? highlight : unexplainedShadows(logs.lowLight);

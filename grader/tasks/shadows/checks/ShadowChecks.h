@@ -52,18 +52,23 @@ struct ShadowLogs {
 
 /// Each check looks at one property and returns a finding if it is wrong.
 [[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
+/// Rays that start too far from the lit point.
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
 /// Rays that start away from the light.
 [[nodiscard]] std::optional<Finding> checkBackwards(const ShadowLogs& logs);
+/// Hard shadows, too few rays, or copies of rays, where a point has one light.
 /// @param fixed  Points share their samples, which another finding reports.
 [[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
+/// Too few rays, or copies of rays, to some of several lights. Lights without any ray are left out.
 [[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed);
+/// Lights in front of the surface that get no ray.
 [[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
 /// Whether each of several lights is as large as a single light.
 [[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
                                                        const AimVerdict& aims);
-/// The three checks above with eight lights, and whether each of them adds its light. A direction
-/// that is far off belongs to another light there, so this is for rays that are right otherwise.
+/// `checkSeveralCounts`, `checkEveryLight` and `checkSeveralSizes` with eight lights, and whether
+/// each of these adds its light. A direction that is far off belongs to another light there, so
+/// this is for rays that are right otherwise.
 /// @param fixed  Points share their samples, which another finding reports.
 [[nodiscard]] std::optional<Finding> checkEightLights(const ShadowLogs& logs,
                                                       const AimVerdict& aims, bool fixed);
@@ -71,10 +76,13 @@ struct ShadowLogs {
 /// @param reading  The one that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkEightValues(const ShadowLogs& logs,
                                                       const ShadowReading& reading);
+/// The same aims at every point, ray by ray in the order of casting.
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 /// A few aims that all points share, each in an order of its own.
 [[nodiscard]] std::optional<Finding> checkSmallPool(const AimVerdict& aims);
+/// A light whose radius grows with its distance.
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
+/// Shape, size and density of the light, from the aims at far lights.
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
 /// Whether the number of rays and the light's radius are those of settings().
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs,

@@ -83,9 +83,9 @@ bool allRight(const ShadowLog& log, const ShadowReading& reading, Sight level) {
 }
 
 // Whether the rays that were not cast count as blocked, and those below the horizon as blocked or,
-// in code that ignores hits on the object that they leave, as open. Under any accepted reading: the
-// one that fits elsewhere does not decide. It may fit only since its interval is wide, and here,
-// where the rays differ most in N.L, the code's own reading may be another.
+// in code that ignores hits on the object that they leave, as open. Tries all accepted readings:
+// the one that fits elsewhere may do so only because its intervals are wide, and the code's own may
+// be another, which shows here, where the rays differ most in N.L.
 bool countsEvery(const ShadowLog& log, Sight below) {
     std::vector<PointLog> points;
     for (const PointLog& point : log.points)
@@ -146,7 +146,7 @@ std::optional<ShareAbove> leftOut(const ShadowLog& log, const ShadowReading& rea
 // with a chance of 1e-10, and any accepted reading may fit.
 // Code that moves aims onto the horizon is right if all rays there count as blocked. At least 1 in
 // 24 of its rays is level, except with a chance of 1e-7.
-// @param manyLevel  Whether so many rays are level.
+// @param manyLevel  Whether at least 1 in 24 rays is level.
 bool countsAll(const ShadowLog& log, const ShadowReading& reading, bool manyLevel) {
     const std::size_t first = log.points.front().lines[0].size();
     const bool evenly = std::ranges::all_of(

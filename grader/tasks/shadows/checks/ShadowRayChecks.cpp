@@ -41,7 +41,7 @@ bool sameAims(const PointLog& a, const PointLog& b, const Vector3& light, double
     return true;
 }
 
-// Pairs of points that are too close together are left out.
+// Compares the first point with all others that are not too close to it.
 bool sameAimsEverywhere(const ShadowLog& log) {
     if (log.points.empty()) return false;
     const Vector3 light = log.scene().pointLights[0].position();

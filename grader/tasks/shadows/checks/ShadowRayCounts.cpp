@@ -140,9 +140,9 @@ std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     return finding;
 }
 
-// Far lights are judged in full; here only rims are. Of 170 lines some pass outside of 0.65 radii,
-// but for a chance of kStatementRisk, for every accepted shape (with uniform radius and direction
-// 86 % pass within).
+// Judges the width of each light only; shapes are judged at far lights. For every accepted shape at
+// least one of 170 lines passes outside of 0.65 radii, except with a chance of kStatementRisk (with
+// uniform radius and direction 86 % of the lines pass within).
 std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs, const AimVerdict& aims) {
     constexpr std::size_t kEnough = 170;
     constexpr double kInner = 0.65;

@@ -33,7 +33,7 @@ bool areApart(const PointLight& one, const PointLight& other, const Vector3& poi
 
 bool isOffHorizon(const PointLight& light, const Vector3& point, const Vector3& normal,
                   double lightSize) {
-    constexpr double kLarger = 1.45;  // than the ball that `zonesOf` looks at
+    constexpr double kLarger = 1.45;  // light sizes; `zonesOf` takes 1.33
     constexpr double kLeastCosine = 0.15;
     const Vector3 towards = light.position() - point;
     const double height = std::abs(towards.dot(normal));

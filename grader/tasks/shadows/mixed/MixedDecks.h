@@ -8,6 +8,7 @@
 
 namespace ticker::tasks {
 
+// Kinds of the attributes that each scene is drawn from.
 enum class Tint : std::uint8_t { usual, white, oneChannel, withoutOne, black };
 enum class PlaceKind : std::uint8_t { inView, behindCamera, aside };
 enum class LightSide : std::uint8_t { inFront, behind };

@@ -105,7 +105,7 @@ private:
 
     /// What stands before a light or behind it.
     void addCompany(const Vector3& light) {
-        // From very far single precision sees another edge.
+        // Seen from very far, an object's edge moves in single precision.
         constexpr double kVeryFar = 100.0;
         if ((light - ground_.foot).magnitude() > kVeryFar) return;
         const Company company = decks_.company.deal();
@@ -121,7 +121,8 @@ private:
         const Vector3 towards = way / distance;
         for (int i = 0; i < kTries; ++i) {
             const double share = draw_.between(0.25, 0.65);
-            // Of a ball that hides the light from all points, or from none of them.
+            // Radius of a ball: 0.6 to 2 times that of the bundle of rays from the points to the
+            // light.
             const double wide = (share * 1.4 * lightSize() + (1.0 - share) * ground_.reach) *
                                 draw_.between(0.6, 2.0);
             const Vector3 middle = isBefore ? ground_.foot + way * share

@@ -14,7 +14,7 @@ namespace {
 
 struct BallKind {
     bool isBumpy;
-    Between away;    ///< the light, world units
+    Between away;    ///< distance of the light, world units
     Between radius;  ///< in distances of the light; 0: just enough to hide it
 };
 constexpr Between kSmallBall{0.0, 0.0};
@@ -25,7 +25,7 @@ constexpr std::array kBalls{
     BallKind{true, kNearLight, kSmallBall}, BallKind{true, kNearLight, kSmallBall},
     BallKind{false, kFarLight, kLargeBall}, BallKind{false, kFarLight, kLargeBall},
     BallKind{true, kFarLight, kLargeBall},
-    // 1000 away or more, beyond what is taken for infinite.
+    // The ball is 1000 away or more, beyond what code may take for infinity.
     BallKind{false, {2500.0, 3200.0}, {0.02, 0.03}}};
 
 std::shared_ptr<const raytracer::HeightMap> drawBumps(Draw& draw) {

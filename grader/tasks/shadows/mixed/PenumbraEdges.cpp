@@ -18,7 +18,7 @@ std::vector<ShadowQuestion> drawPenumbraEdges(Draw& draw) {
     constexpr double kReach = 2.0;
     constexpr Between kSmallShare{0.04, 0.15};  // of aims on the light's surface; a ball has less
     ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::mixedNear);
-    // With the handout's number no share is small.
+    // With the handout's ten rays no share is so small.
     drawn.question.settings.shadowRayCount = draw.whole(48, 56);
     raytracer::SceneDescription& scene = drawn.question.scene;
     scene.ambientLighting = draw.colour(0.1, 0.5);

@@ -24,7 +24,8 @@ ShadowQuestion underSmallLight(Draw& draw, const Between& size, const Between& a
 
 ShadowQuestion drawNearby(Draw& draw) {
     constexpr double kReach = 0.02;
-    // So small that code may take the distance of each sample: 2.6 % of the light at most.
+    // So small that the distance of each sample, which code may take, changes the light by 2.6 % at
+    // most.
     ShadowQuestion drawn = underSmallLight(draw, {0.003, 0.005}, {0.38, 0.45});
     addLitPoints(draw, drawn, kPointsOfSmall, kReach);
     return drawn;

@@ -133,8 +133,8 @@ Finding leftInShadowFinding(double left) {
     return finding;
 }
 
-// Whether no light arrives at places of this kind. Within the rim 30000 rays may miss the outermost
-// part of the light, but every accepted shape hits it with a chance above 0.002 for each ray.
+// Whether no light arrives at places of this kind. Within the rim some of 30000 rays arrive for
+// every accepted shape, since each does with a chance above 0.002.
 bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
     return std::none_of(rim.begin(), rim.end(), [&](const PenumbraSamples& samples) {
         return samples.place.kind == kind && seesLight(samples);

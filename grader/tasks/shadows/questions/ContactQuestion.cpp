@@ -16,7 +16,8 @@ ShadowQuestion drawContact(Draw& draw) {
     const Vector3 foot = drawPlace(draw);
     const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
     const Perpendiculars sides = perpendicularsOf(up);
-    // Limits of a ten-thousandth of the way pass, too; those of a thousandth do not.
+    // At this distance code still passes that ignores hits within a ten-thousandth of the way to
+    // the light; code that ignores those within a thousandth fails.
     const double distance = draw.between(24.0, 26.0);
     const Vector3 light = foot + draw.directionAround(up, 0.3) * distance;
     const double radius = draw.between(0.5, 0.7);

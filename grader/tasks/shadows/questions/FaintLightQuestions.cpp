@@ -14,8 +14,10 @@ constexpr int kPointsClose = 30;
 constexpr int kPointsOfOneRay = 48;
 constexpr int kPointsOfBack = 6;
 
+/// A floor with points in plain sight of a close light.
 /// @param distance  Of the light from the middle of the floor.
-/// @param lean      At most, from the floor's normal, in radians.
+/// @param lean      Largest angle between the light's direction and the floor's normal, radians.
+/// @param reach     Largest coordinates of the points from the middle of the floor.
 ShadowQuestion closeLightAt(Draw& draw, double distance, double lean, double reach) {
     ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::closeLight);
     SceneDescription& scene = drawn.question.scene;
@@ -81,8 +83,8 @@ ShadowQuestion drawBackSide(Draw& draw) {
     SceneDescription& scene = drawn.question.scene;
     const raytracer::PlaneDescription& floor = scene.planes.front();
     scene.ambientLighting = draw.colour(0.1, 0.5);
-    // L leans so far that V, which is near it, is more than a right angle from R. Leaning to the
-    // eye's side, R is as far from the eye, too.
+    // L leans so far that V, which is near it, is more than a right angle from R. It leans to the
+    // eye's side, so that the same holds for the direction to the eye.
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     const double lean = draw.between(1.0, 1.1);
     const Perpendiculars sides = perpendicularsOf(floor.normal);

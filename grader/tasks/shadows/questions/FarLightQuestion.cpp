@@ -32,7 +32,8 @@ Vector3 drawFarViewer(Draw& draw, const Vector3& point, const Vector3& normal,
 }  // namespace
 
 ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
-    // The normal leans away from the light, so that a shape that faces along it looks narrow, too.
+    // The normal leans away from the light, so that a disc that faces along the normal looks
+    // narrow.
     const Vector3 up = drawAside(draw, towards, 0.65, 0.9);
     const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 foot = drawPlace(draw);

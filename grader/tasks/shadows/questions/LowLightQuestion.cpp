@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kPointsLowLight = 10;
 
-// Of viewers, from the normal, radians.
+// Angle between the direction to a viewer and the normal, radians.
 constexpr double kLowest = 1.2;
 constexpr double kHighest = 1.35;
 
@@ -39,7 +39,8 @@ ShadowQuestion drawLowLight(Draw& draw) {
     scene.ambientLighting = draw.colour(0.1, 0.5);
     scene.pointLights.push_back(drawLight(draw, light, distance));
     raytracer::Material floor = drawMaterial(draw);
-    // Even and odd, and so low that what R.V below 0 gives is as bright as the diffuse light.
+    // Even and odd exponents, so low that the highlight of a negative R.V is as bright as the
+    // diffuse light.
     floor.phongAlpha = draw.whole(2, 5);
     scene.planes.push_back({foot, up, floor});
     for (int i = 0; i < kPointsLowLight; ++i) {

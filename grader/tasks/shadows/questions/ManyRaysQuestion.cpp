@@ -10,7 +10,7 @@ namespace {
 constexpr int kLitPoints = 2;
 constexpr int kRimPoints = 4;  // at either rim of the penumbra
 
-/// Whether about this share of the light's surface is visible, near 0 or near 1.
+/// Whether a few hundredths of the light's surface are hidden (`isNearlyLit`) or visible.
 bool isAtRim(const ShadowQuestion& drawn, const Vector3& point, bool isNearlyLit) {
     constexpr double kLeast = 0.02;
     constexpr double kMost = 0.045;

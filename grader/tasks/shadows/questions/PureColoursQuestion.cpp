@@ -14,7 +14,7 @@ using raytracer::SceneDescription;
 constexpr int kPointsPureLights = 9;
 constexpr int kPointsOnPureBall = 3;
 
-// Bright, so that a light is no trifle in the weakest channel of its luminance.
+// Bright, so that a light counts even by a luminance in which its channel weighs the least.
 std::array<ColourRGB, 3> drawPureColours(Draw& draw) {
     std::array<ColourRGB, 3> colours;
     constexpr std::array kChannels{&ColourRGB::r, &ColourRGB::g, &ColourRGB::b};

@@ -58,7 +58,6 @@ raytracer::Material drawMaterial(Draw& draw) {
 }
 
 raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double distance) {
-    // About the light's own colour arrives at `distance`.
     const double intensity = 4.0 * std::numbers::pi * distance * distance;
     return {position, draw.colour(0.4, 1.0), intensity * draw.between(0.7, 1.3)};
 }
@@ -74,7 +73,6 @@ Vector3 drawPlace(Draw& draw) {
 }
 
 Vector3 drawViewer(Draw& draw, const Vector3& point, const Vector3& normal, const Vector3& light) {
-    // Near the mirrored direction the specular term is as large as the diffuse one.
     const Vector3 mirrored = (light - point).normalised().reflectIn(normal);
     Vector3 towards = draw.directionAround(mirrored, 0.6);
     while (towards.dot(normal) < 0.1)
@@ -134,7 +132,6 @@ void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach) {
 }
 
 void setCapacity(ShadowQuestion& question) {
-    // Eight times as many as are asked for.
     constexpr std::size_t kLogMargin = 8;
     const std::size_t rays = question.question.points.size() *
                              question.question.scene.pointLights.size() *

@@ -142,8 +142,8 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     const raytracer::RenderSettings handout;
     std::vector<ShadowQuestion> questions;
     questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 1.7));
-    // Far from the floor the light's size matters less to the distance of its samples, which is not
-    // visible.
+    // Seen from far away, the distance of a sample, which is not visible, depends less on its place
+    // in the light.
     questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 20.0));
     questions.push_back(drawSeveralLights(draw));
     questions.push_back(drawBeyondLight(draw));

@@ -16,8 +16,9 @@ constexpr int kPoints = 6;
 
 }  // namespace
 
-// From the floor the ball is 37 degrees wide to either side of its middle, the near light 9 to
-// either side of its own, 12 degrees off. Its ball ends at 3.2, the one between begins at 4.1.
+// From the floor the ball reaches 37 degrees to either side of its centre. The near light is 12
+// degrees off that, and reaches 9 degrees to either side of its own. It ends 3.2 from the floor,
+// and the ball begins at 4.1.
 std::vector<ShadowQuestion> drawBetweenLights(Draw& draw) {
     constexpr double kBall = 6.0;
     constexpr double kToBall = 10.0;
