@@ -45,12 +45,12 @@ struct Entry {
     std::string group;       ///< the folders between collection and name: "T1", "T2/right", "cases"
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< a short description
-    std::string alone;       ///< why it is not combined with other entries; empty: it is
+    std::string alone;       ///< reason not to combine it with other entries; may be empty
     std::string folderName;  ///< name under which it is handed in; usually `name`
-    std::filesystem::path
-        base;  ///< folder of the files that are edited; empty if no file is edited
-    std::map<std::string, std::vector<Edit>>
-        edits;                                 ///< by file; empty list: the base's file unchanged
+    /// Folder of the files that are edited; empty if no file is edited.
+    std::filesystem::path base;
+    /// By file; an empty list: the base's file, unchanged.
+    std::map<std::string, std::vector<Edit>> edits;
     std::vector<std::filesystem::path> files;  ///< files beside the entry
     std::vector<MadeFile> made;
     std::map<std::string, Expectation> tasks;  ///< by id: "T2.1"

@@ -17,7 +17,7 @@ struct Member {
     unsigned long copies = 1;   ///< more than one: this many members, named name0, name1, ...
 };
 
-/// Files that are too large, too odd or not permitted in a repository. They are made on demand.
+/// A text: `before`, then `times` repetitions of `repeated`, then `after`.
 struct MadeText {
     std::string before;
     std::string repeated;
@@ -35,6 +35,7 @@ struct MadeFolder {};
 struct MadeArchive {
     std::vector<Member> members;  ///< zip or tar, by the ending of the name
 };
+/// A file that is too large, too odd or not permitted in a repository, and is made on demand.
 struct MadeFile {
     std::string name;
     std::variant<MadeText, MadeBytes, MadeLink, MadePipe, MadeFolder, MadeArchive> contents;

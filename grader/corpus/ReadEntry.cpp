@@ -37,7 +37,7 @@ std::string joined(const JsonValue& value) {
     return fmt::format("{}", fmt::join(texts(value), "\n"));
 }
 
-/// False if the member is missing.
+/// The member's flag; false if the member is missing.
 bool isSet(const JsonValue& value, const std::string& name) {
     return value.has(name) && value.at(name).flag();
 }

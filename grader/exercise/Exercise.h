@@ -23,9 +23,9 @@ struct TaskEntry {
     std::string title;     ///< title for reports
     std::string file;      ///< name of the file that contains it
     std::string function;  ///< function that the file must define, as students write it
-    /// Symbols that linkers report as missing if it is not defined.
+    /// Symbols that linkers report as missing if the function is not defined.
     std::vector<std::string> symbols;
-    /// What repairs may put in place of a value; may be empty.
+    /// Expressions that repairs may put in place of a value; may be empty.
     std::vector<Formula> formulas = {};
 
     /// Name of the function without its class.
@@ -81,9 +81,9 @@ struct Exercise {
     [[nodiscard]] const TaskEntry* task(std::string_view id) const;
     /// The file that contains a task; empty for the screenshot.
     [[nodiscard]] std::string_view fileOf(std::string_view task) const;
-    /// What repairs of a file may put in place of a value: formulas of its tasks, but of none whose
-    /// function is left alone.
-    /// @param leftAlone  Names of functions, with commas between them.
+    /// Expressions that repairs of a file may put in place of a value: the formulas of its tasks,
+    /// except tasks whose function is in `leftAlone`.
+    /// @param leftAlone  Names of functions, with commas and no blanks between them.
     [[nodiscard]] std::vector<Formula> formulasOf(std::string_view file,
                                                   std::string_view leftAlone) const;
     /// Whether an option has a task in a file.

@@ -12,8 +12,8 @@ namespace ticker {
 /// submission that may pass is judged in full.
 struct Screening {
     std::vector<probe::Question> questions;
-    /// False: with these answers hardly any submission passes. One that rounds heights, say, is
-    /// right in other answers alone.
+    /// False if a submission with such answers hardly ever passes in full. The exceptions pass by
+    /// other questions: a submission that rounds heights, for example.
     std::function<bool(const probe::Run&)> mayPass;
 };
 

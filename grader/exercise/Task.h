@@ -50,9 +50,10 @@ struct Task {
     /// Asks for review if the renders do not agree with the submission's answers; may be null.
     /// @param tasks  All tasks of the task's file.
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
-    /// The cheap questions for hundreds of edits of one submission; may be null.
+    /// Cheap questions, for judging hundreds of edits of one submission; may be null.
     Screening (*screen)(std::uint64_t seed) = nullptr;
-    /// Others that see what `screen` may not, for a submission that passes that one; may be null.
+    /// Further screenings for a submission that passes `screen`, which show what `screen` may miss;
+    /// may be null.
     std::vector<Screening> (*screenElsewhere)(std::uint64_t seed) = nullptr;
     /// A judge of many submissions under the same seeds, which keeps what it computes from a seed
     /// alone; null if there is nothing to keep.

@@ -81,7 +81,7 @@ bool report(const std::vector<std::string>& wrong) {
     return wrong.empty();
 }
 
-// Whether the committed record is of today's code.
+// Whether every unit of the committed record was measured with today's code.
 bool checkCode(const Campaign& campaign, const Record& record, const calibrate::Parts& parts) {
     const bool good = report(
         calibrate::stalenessOf(campaign, record, calibrate::stampsOf(campaign, parts), parts));
@@ -90,7 +90,8 @@ bool checkCode(const Campaign& campaign, const Record& record, const calibrate::
     return good;
 }
 
-// Whether the committed tables follow from the committed record, and some units repeat as recorded.
+// Whether the committed tables follow from the committed record, and the units that are run again
+// give the recorded results.
 bool checkRepeats(Campaign& campaign, const Record& record, const Places& places, int jobs) {
     std::vector<std::string> wrong = calibrate::checkCampaign(campaign, record, jobs);
     const Summary summary = campaign.summarise(record.all());
@@ -121,7 +122,8 @@ bool calibrateOne(Campaign& campaign, const CalibrateOptions& options, const Pla
     return publish(campaign, record, stamps, places);
 }
 
-/// An installation has neither the record nor the solutions of a campaign.
+/// Refuses to run outside a checkout: an installation has neither the record nor the solutions of a
+/// campaign.
 void requireCheckout(const Home& home) {
     for (const char* folder : {"grader/lab/calibrate/record", "grader/corpus/unseen"})
         if (!fs::is_directory(home.data / folder))

@@ -31,7 +31,8 @@ struct RepairsOptions {
     GradeOptions grade;
 };
 
-/// Minutes and seconds that are left if the rest takes as long as what was done.
+/// Estimated remaining time in minutes and seconds: each unit of the rest takes the mean time so
+/// far.
 std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done,
                      std::size_t rest) {
     const double seconds = std::chrono::duration<double>(spent).count() *
@@ -40,8 +41,8 @@ std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done
     return fmt::format("{}:{:02} left", whole / 60, whole % 60);
 }
 
-/// The rows of all units. Those that are not in the record are run, unless only a report is asked
-/// for, and printed when they are there.
+/// The rows of all units. A unit that is not in the record is run, and its row added and printed;
+/// for a report it is left out.
 std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::RepairRecord& record,
                                    bool isReport) {
     const auto begin = std::chrono::steady_clock::now();
@@ -63,9 +64,9 @@ std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::Rep
     return rows;
 }
 
-/// What one exercise, or several, give to the tables.
+/// Input of the tables, from one exercise or several.
 struct Repairs {
-    std::size_t entries = 0;  ///< that fit the options, also those without a row yet
+    std::size_t entries = 0;  ///< number that fits the options, with or without a row
     std::vector<lab::RepairRow> rows;
 };
 

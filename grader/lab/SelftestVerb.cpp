@@ -143,8 +143,8 @@ bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& gra
     return result.passed();
 }
 
-/// The tables that are made for the default exercise alone: models of its first option, and
-/// pictures.
+/// Whether the exercise has the tables that exist for the default exercise only: models of its
+/// first option, and pictures.
 bool hasModels(const Exercise& exercise) {
     return &exercise == &defaultExercise();
 }

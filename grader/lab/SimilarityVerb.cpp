@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of the kit's headers, of the template and of the language: those of the standard
-/// library are all that follow "std::" in the originals.
+/// Names that a disguise keeps: keywords, and all words of the kit's headers, of the template and
+/// of the reference, which include the names that these use of the standard library.
 std::set<std::string> namesThatStay(const similar::Originals& originals, const fs::path& data) {
     std::set<std::string> names{"std",  "auto", "const",  "double", "int",   "float",
                                 "for",  "if",   "else",   "while",  "do",    "return",
@@ -51,7 +51,7 @@ similar::Originals originalsOf(const std::string& file, const Exercise& exercise
     return originals;
 }
 
-/// For other tools: the originals and their copies as files.
+/// Writes the originals and their disguised copies as files, for other tools.
 void writeCopies(const similar::Originals& originals, const fs::path& folder) {
     const std::size_t count = originals.files.size();
     for (std::size_t i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@ struct ContrastKernels {
     Kernel blueYellowNarrow;
 };
 
-/// @see  section 4.1.1 and Table 1 of the paper.
+/// @see  section 4.1.1 and Table 1 of the paper that Flip.h names.
 [[nodiscard]] ContrastKernels contrastKernels(double pixelsPerDegree);
 
 /// A Gaussian and its first two derivatives, which detect edges and points.
@@ -27,7 +27,7 @@ struct FeatureKernels {
     Kernel point;
 };
 
-/// @see  section 4.2.1 of the paper.
+/// @see  section 4.2.1 of the same paper.
 [[nodiscard]] FeatureKernels featureKernels(double pixelsPerDegree);
 
 }  // namespace ticker::metrics

@@ -34,15 +34,14 @@ struct TileTest {
 [[nodiscard]] TileTest welchTiles(const Moments& reference, const Moments& test, int tileSize,
                                   double alpha = 1e-6);
 
-/// The same test for two single pictures without further information. If both are renders of the
-/// same thing and pixels are independent, the difference of each pixel is positive or negative with
-/// equal probability. So the sum over a tile, divided by the root of the sum of squares, exceeds x
-/// in absolute value with a probability of at most 2 exp(-x^2 / 2), whatever the distribution of
-/// the noise (Hoeffding's inequality for random signs). The same holds for the products of
-/// neighbours in a row or column, whose signs are random and independent as well: they detect pairs
-/// of too bright and too dark pixels, such as a moved edge. Channels are tested separately, on
-/// tiles of two sizes; the score of a tile is that of its worst test, with the sign of the
-/// difference.
+/// Tests two single pictures whose variance is not known. If both are renders of the same thing and
+/// pixels are independent, the difference of each pixel is positive or negative with equal
+/// probability. So the sum over a tile, divided by the root of the sum of squares, exceeds x in
+/// absolute value with a probability of at most 2 exp(-x^2 / 2), whatever the distribution of the
+/// noise (Hoeffding's inequality for random signs). The same holds for the products of neighbours
+/// in a row or column, whose signs are random and independent as well: they detect pairs of too
+/// bright and too dark pixels, such as a moved edge. Channels are tested separately, on tiles of
+/// two sizes; the score of a tile is that of its worst test, with the sign of the difference.
 ///
 /// @param tileSize  Side of the tiles in the result; the other size is four times that.
 /// @throws raytracer::InputError as `requireSameSize`, and if `tileSize` is too small.

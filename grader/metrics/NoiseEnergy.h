@@ -7,8 +7,7 @@ namespace ticker::metrics {
 
 /// Total difference of two noisy pictures.
 struct NoiseEnergy {
-    double energy =
-        0.0;  ///< sum of squared tile scores; about `tiles` for two pictures of the same
+    double energy = 0.0;  ///< sum of squared tile scores; about `tiles` for renders of one scene
     int tiles = 0;
 
     /// An upper bound on the probability of such an energy, or a larger one, if both pictures are

@@ -45,7 +45,7 @@ struct Measured {
     Map map;
 };
 
-/// Called first by every metric.
+/// Checks that two pictures can be compared; every metric calls it first.
 /// @throws raytracer::InputError with both sizes if they differ, and if a picture is empty or its
 ///         data does not match its size.
 void requireSameSize(const ByteView& reference, const ByteView& test);

@@ -30,7 +30,7 @@ Map mapOf(const cv::Mat& channels) {
     return map;
 }
 
-/// Weighted by the paper's window.
+/// The mean around each pixel, weighted by the paper's Gaussian window.
 cv::Mat windowed(const cv::Mat& values) {
     cv::Mat result;
     cv::GaussianBlur(values, result, {11, 11}, 1.5);

@@ -95,7 +95,8 @@ std::string wordsFor(const std::vector<GridTile>& tiles, const TileTest& noise) 
            horizontal;
 }
 
-/// The sign of a mean that exceeds what pixels of this spread show by chance.
+/// '+' or '-', the sign of the mean difference, if that is three standard errors or more from 0;
+/// otherwise '~'.
 char symbolFor(const Sums& sums) {
     const double error = sums.rms() / std::sqrt(std::max(1.0, sums.count));
     if (std::abs(sums.mean()) < 3.0 * error) return '~';

@@ -11,7 +11,8 @@ namespace ticker::oracle {
 namespace {
 
 // Blends each pixel's variance with the mean over its 3 x 3 neighbourhood and a little of the whole
-// picture's: a pilot of few paths may agree by chance, which must not count as no noise.
+// picture's: the few pilot paths of a pixel may agree by chance, and the pixel must not count as
+// free of noise then.
 std::vector<double> smoothed(const PilotNoise& pilot) {
     constexpr double kShareOfWhole = 0.02;
     const double whole = std::accumulate(pilot.variance.begin(), pilot.variance.end(), 0.0) /
@@ -33,8 +34,8 @@ std::vector<double> smoothed(const PilotNoise& pilot) {
     return result;
 }
 
-// A pixel's number of paths, as a base-2 logarithm. Each pixel is rounded dozens of times, and this
-// form needs no power and no logarithm.
+// Rounds the base-2 logarithm of a pixel's number of paths. Each pixel is rounded dozens of times;
+// with logarithms that needs neither std::pow nor std::log2.
 int roundedTo(double wish, int least, int most) {
     return static_cast<int>(
         std::lround(std::clamp(wish, static_cast<double>(least), static_cast<double>(most))));
@@ -62,7 +63,7 @@ std::vector<std::uint32_t> allocated(const PilotNoise& pilot, int replicates, do
         wishes.push_back(even ? 0.0
                               : std::log2(variance / (target + 1e-300)) / (1.0 + pilot.decay));
     std::vector<std::uint32_t> counts(noise.size(), least);
-    constexpr double kStep = 0.1375;  // a tenth more paths
+    constexpr double kStep = 0.1375;  // log2(1.1): a tenth more paths
     for (double more = 0.0; more < 40.0; more += kStep) {
         double predicted = 0.0;
         int fewest = highest;

@@ -19,7 +19,7 @@ struct AimPoint {
 /// distribution, without rejection.
 [[nodiscard]] AimPoint aimPoint(LightShape shape, double u, double v, double w);
 
-/// Aim points made ahead, for student renders: drawing one costs three loads. The points are
+/// Precomputed aim points for student renders: drawing one takes three loads. The points are
 /// Roberts's sequence R3 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
 /// 2018), so the pool matches the shape's distribution far better than as many random points. They
 /// lie in random order, so that neighbours in the pool are nearly independent. Signs may be flipped
@@ -32,8 +32,8 @@ struct BallPool {
     BallPool(LightShape shape, double radius);
 
     std::vector<float> x, y, z;
-    std::uint32_t flipX, flipY,
-        flipZ;  ///< the sign bit for each axis in which the shape is symmetric
+    /// The sign bit for each axis in which the shape is symmetric; 0 for the others.
+    std::uint32_t flipX, flipY, flipZ;
 };
 
 }  // namespace ticker::oracle

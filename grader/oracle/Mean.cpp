@@ -48,8 +48,8 @@ PixelAverage averaged(const std::vector<Replicate>& all, std::size_t pixel) {
 
 Covariance covarianceOf(const PixelAverage& pixel, double scale) {
     const auto& m = pixel.moments.mean;
-    // The square of an estimated mean is biased upwards by the variance of the estimate: subtract
-    // that.
+    // On average, the square of an estimated mean exceeds the squared mean by the variance of the
+    // estimate, so that m[a] * m[a] takes off too much: the variance is added again.
     const auto entry = [&](std::size_t e, std::size_t a, std::size_t b) {
         double between = pixel.moments.second[e] - m[a] * m[b];
         if (a == b) between = std::max(0.0, between + pixel.error[a]);
@@ -80,7 +80,7 @@ Moments assembled(const Setup& setup, const std::vector<Replicate>& all,
     return moments;
 }
 
-/// The sum over pixels and channels that `Moments::meanError` may reach.
+/// Upper bound for the sum of `Moments::meanError` over pixels and channels.
 double targetOf(const Moments& moments, const Precision& precision) {
     double target = std::numeric_limits<double>::infinity();
     if (precision.share > 0.0) {

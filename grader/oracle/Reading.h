@@ -51,8 +51,8 @@ struct BumpReading {
 /// (docs/decisions/0003).
 struct Reading {
     double apertureFactor = 1.0;  ///< half-width of the lens / dofAmount: 1 or 0.5 are accepted
-    /// Side of the square on the focal plane that the rays of a pixel go through, uniformly, in
-    /// pixels; above 0 (antialiasing) to 1 are accepted, too.
+    /// Side of the square on the focal plane that the rays of a pixel pass through, uniformly, in
+    /// pixels. Values above 0 (antialiasing) up to 1 are accepted, too.
     double pixelSpread = 0.0;
     LightShape lightShape = LightShape::ball;
     ShadowReach shadowReach = ShadowReach::toSample;
@@ -80,7 +80,7 @@ struct Mistake {
 
     enum class Aperture { square, disc, none, horizontal, diagonal };
     Aperture aperture = Aperture::square;
-    double lensOffsetX = 0.0;  ///< in half-widths: 1 with factor 0.5 gives [0, dofAmount]
+    double lensOffsetX = 0.0;  ///< in half-widths: 1 with apertureFactor 0.5: [0, dofAmount]
     double lensOffsetY = 0.0;
     bool focalByDistance = false;    ///< focal point at dofFocalPlane along the ray, not in z
     double focalFactor = 1.0;        ///< focal plane's z / dofFocalPlane

@@ -23,6 +23,7 @@ struct PathMoments {
 /// One randomisation of a whole picture.
 using Replicate = std::vector<PathMoments>;
 
+/// Traces lens paths for every pixel of the picture.
 /// @param number  Replicates of one seed with different numbers are independent.
 /// @param counts  Lens paths for each pixel; powers of two spread best.
 [[nodiscard]] Replicate replicate(const Setup& setup, std::uint64_t seed, std::uint64_t number,

@@ -40,8 +40,7 @@ struct SceneSoA {
 
     struct Materials {
         std::vector<float> red, green, blue, kD, kS, alpha, reflectivity;
-        int wholeAlpha =
-            -1;  ///< the exponent of all objects if they share one small integer; else -1
+        int wholeAlpha = -1;  ///< the exponent of all objects if that is one small integer; else -1
     } materials;
 
     struct Light {

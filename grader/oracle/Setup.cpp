@@ -43,7 +43,8 @@ std::pair<double, double> legendre(int n, double x) {
     return {value, n * (x * value - previous) / (x * x - 1.0)};
 }
 
-// Gauss-Legendre quadrature of the unit interval, with p = 1 - (1 - z)^2 in place of z.
+// Gauss-Legendre quadrature of the unit interval with the substitution p = 1 - (1 - z)^2, which
+// concentrates the nodes p towards 1.
 std::vector<Setup::Node> crowdedNodes(int count) {
     std::vector<Setup::Node> nodes;
     for (int i = 0; i < count; ++i) {

@@ -38,7 +38,7 @@ struct Setup {
     float lensOffsetY = 0.0F;
 
     float pixelSpread = 0.0F;
-    std::size_t lensDimensions = 2;  ///< sample numbers of a path before those of shadow rays
+    std::size_t lensDimensions = 2;  ///< dimensions of a path's samples before its shadow rays
 
     float lightRadius = 0.0F;  ///< of the shape that aim points are drawn from
     float aimBound = 0.0F;     ///< no aim point is farther from the aim's centre
@@ -51,7 +51,7 @@ struct Setup {
     bool contributionIsShare = true;
     bool lightIsSplit = false;  ///< a mistake changes which part of a light is shaded, or how much
     bool conesHold = true;      ///< cone tests are valid for this reading and mistake
-    bool closedFormsHold = true;  ///< likewise the share of a ball behind a cone or plane
+    bool closedFormsHold = true;  ///< likewise the closed forms of Closed-inl.h
 
     /// One node of the Gauss-Legendre quadrature over half a turn, on the unit interval.
     struct Node {

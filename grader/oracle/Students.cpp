@@ -21,7 +21,7 @@ LaneSeeds seedsOf(std::uint64_t seed, int tile) {
     seeds.frameLens = {unitFloat(splitMix(frame)), unitFloat(splitMix(frame))};
     std::uint64_t state = splitMix(frame) + static_cast<std::uint64_t>(tile);
     for (std::uint32_t& lane : seeds.lane)
-        lane = static_cast<std::uint32_t>(splitMix(state) >> 32U) | 1U;  // zero would stay zero
+        lane = static_cast<std::uint32_t>(splitMix(state) >> 32U) | 1U;  // xorshift never leaves 0
     seeds.common = splitMix(state);
     return seeds;
 }

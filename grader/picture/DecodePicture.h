@@ -41,7 +41,7 @@ struct DecodeFailure {
         crashed     ///< a signal ended the decoder: possibly an attack
     };
     Kind kind = Kind::damaged;
-    /// describes the file in our own words: "this is a JPEG picture"
+    /// Says what is wrong, without quoting the file: "this is a JPEG picture".
     std::string message;
 };
 

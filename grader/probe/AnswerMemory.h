@@ -29,9 +29,8 @@ struct SheetHeader {
 
 /// Written by the submission's process about one question; the grader does not trust it.
 struct AnswerHeader {
-    static constexpr std::uint32_t kBegun = 3;  ///< else an AnswerState
-
-    std::uint32_t state = 0;
+    static constexpr std::uint32_t kBegun = 3;
+    std::uint32_t state = 0;  ///< `kBegun` while the answer is written, then an AnswerState
     std::uint32_t exceptions = 0;
     std::uint32_t wrongSize = 0;
     std::uint32_t reserved = 0;
@@ -55,8 +54,7 @@ struct AnswerPlace {
 
 struct AnswerLayout {
     std::vector<AnswerPlace> places;  ///< one for each question
-    std::size_t filledBytes =
-        0;  ///< everything before this offset is filled with `kUnansweredWord`
+    std::size_t filledBytes = 0;      ///< bytes before the events, filled with `kUnansweredWord`
     std::size_t totalBytes = 0;
 };
 
@@ -76,7 +74,8 @@ using CopyBytes = std::function<void(std::size_t at, std::span<std::byte> to)>;
 /// are cut at their first NUL and at 231 bytes, unknown states count as missing, impossible events
 /// are dropped.
 ///
-/// @param copy  Of `layoutFor(questions).totalBytes` bytes, after the other process has ended.
+/// @param copy  Copies from a memory of `layoutFor(questions).totalBytes` bytes; the process that
+///              wrote them has ended.
 [[nodiscard]] std::vector<Answer> readAnswers(const std::vector<Question>& questions,
                                               const CopyBytes& copy);
 /// @throws raytracer::Error if `memory` has fewer than `layoutFor(questions).totalBytes` bytes.

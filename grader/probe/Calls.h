@@ -9,7 +9,8 @@
 
 namespace ticker::probe {
 
-/// A function of the students' that a `CallQuestion` asks by name.
+/// A function that a `CallQuestion` calls by its name in the submission's process, to ask code of
+/// the student that no other question asks.
 struct Call {
     std::string_view name;
     /// @param scene  Of the question.

@@ -160,7 +160,7 @@ void EventLog::record(Event event) {
     std::atomic_ref<std::uint16_t>{kind}.store(written, std::memory_order_release);
 }
 
-// An older kernel refuses, and the pages come one by one.
+// Older kernels refuse MADV_POPULATE_WRITE; the pages then come one page fault at a time.
 void EventLog::prepareBlock(std::uint64_t slot) const {
     constexpr std::uintptr_t kPageBytes = 4096;
     const std::uint64_t end = std::min(slot + kSlotsOfABlock, capacity_);

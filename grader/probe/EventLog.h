@@ -24,10 +24,10 @@ public:
     /// Subsequent events belong to this position, point or repetition.
     void beginAsk(std::uint32_t ask) { ask_ = ask; }
 
-    /// Makes the observed threads take turns after every traced ray and after the first shadow ray
-    /// of every point, the first turn after a short wait for a second thread: makes data races
-    /// between pixels and between lights visible even on a busy machine. Where `trace` is the
-    /// student's own and reports nothing, they take turns after every ray.
+    /// Makes the observed threads give way to each other after every traced ray and after the first
+    /// shadow ray of every point, the first time after a short wait for a second thread. Data races
+    /// between pixels and between lights then show even on a busy machine. If `trace` is the
+    /// student's own code, which reports nothing, the threads give way after every ray.
     void takeTurns() { takesTurns_ = true; }
 
     /// Sets the scene whose objects are numbered; not owned; null: every object is -1.

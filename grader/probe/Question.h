@@ -30,7 +30,7 @@ struct HeightMapDescription {
     [[nodiscard]] raytracer::HeightMap build() const;
 };
 
-/// Describes a picture's map as bytes: heights are rounded to them.
+/// Describes a map by bytes, to which its heights are rounded.
 [[nodiscard]] HeightMapDescription describe(const raytracer::HeightMap& map);
 
 /// Asks `BumpySphere::getNormalAt` at points of one sphere. The sphere stands in a scene built like
@@ -68,7 +68,7 @@ struct RenderQuestion {
     std::uint32_t eventCapacity = 0;  ///< most logged events of all repetitions; 0: no log
 };
 
-/// A ray to be cast: of `object` (index as in LitPoint), or by `Renderer::trace` with `bounces`.
+/// A ray to be cast. A HitQuestion uses `object` (index as in LitPoint), a TraceQuestion `bounces`.
 struct CastRay {
     int object = 0;
     int bounces = 0;
@@ -147,7 +147,7 @@ struct NormalAnswer {
     std::vector<Vector3> normals;  ///< one for each position
 };
 
-/// Also of a TraceQuestion.
+/// The answer to an IlluminateQuestion or a TraceQuestion.
 struct IlluminateAnswer {
     AnswerState state = AnswerState::missing;
     std::string message;

@@ -240,8 +240,8 @@ private:
     }
 };
 
-// All memory is freed before this returns: the submission's own operator delete runs before the
-// last mark is set.
+// All memory is freed before this returns, so that an operator delete of the submission's own runs
+// before `SheetHeader::finished` is set.
 void answerAll(const std::vector<Question>& questions, std::span<std::byte> memory) {
     const AnswerLayout layout = layoutFor(questions);
     if (memory.size() < layout.totalBytes)

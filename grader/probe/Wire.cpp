@@ -75,8 +75,8 @@ void check(const RenderQuestion& question) {
         refuse("repetitions must be 1 to 4096");
 }
 
-/// Values are put field by field: the bytes between the fields of a struct are those that happened
-/// to lie in memory, and equal questions have to be equal messages.
+/// Settings are written field by field: padding bytes of a struct are indeterminate, and equal
+/// questions must give equal messages.
 template <class Settings, class Each>
 void eachField(Settings& settings, const Each& each) {
     each(settings.width);

@@ -21,7 +21,8 @@ constexpr int kQuestions = 3;
 constexpr int kAnswers = 4;
 
 std::span<std::byte> mapped(int descriptor, int protection, int flags) {
-    // The system call filter has no fstat(): the C library makes it a call that takes a path.
+    // The system call filter does not allow fstat(): the C library implements it by a system call
+    // that takes a path.
     const off_t end = lseek(descriptor, 0, SEEK_END);
     if (end <= 0) throw raytracer::Error("a descriptor is missing");
     const auto size = static_cast<std::size_t>(end);

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using raytracer::InputError;
 
-// 2 January 1980: zip files begin on the 1st, and one day more keeps every time zone after that.
+// 2 January 1980. The format has no times before 1 January; one day more keeps the local time after
+// that in every time zone.
 constexpr std::time_t kTime = 315532800 + 24 * 3600;
 
 }  // namespace

@@ -19,11 +19,13 @@ public:
     ZipWriter(const ZipWriter&) = delete;
     ZipWriter& operator=(const ZipWriter&) = delete;
 
-    /// Adds one file. @param name  Path inside, UTF-8, with '/' between folders.
+    /// Adds one file.
+    /// @param name       Path in the archive, UTF-8, with '/' between folders.
+    /// @param isProgram  Marks the file as executable.
     /// @throws raytracer::InputError if the disk is full.
     void add(const std::string& name, std::string_view bytes, bool isProgram = false);
 
-    /// Adds a file of this machine; it is executable inside if its owner may execute it.
+    /// Adds a file of this machine; it is marked as executable if its owner may execute it.
     /// @throws raytracer::InputError if it cannot be read.
     void addFile(const std::string& name, const std::filesystem::path& file);
 

@@ -79,7 +79,8 @@ constexpr const char* kTilt = "normal + Bu * normal.cross(Pv) - Bv * normal.cros
 constexpr const char* kLeft = "map.at((column + map.width() - 1) % map.width(), row)";
 constexpr const char* kAbove = "map.at(column, std::max(row - 1, 0))";
 
-// Heights between the centres of texels, as a function that the slopes then call.
+// A lambda that interpolates the height between the texels' centres; the edits of the slopes call
+// it.
 constexpr const char* kSmooth =
     "[&](double right, double below) {\n"
     "        const double x = u * map.width() - 0.5 + right;\n"

@@ -18,7 +18,7 @@ struct AgreementCase {
     std::vector<corpus::Edit> edits;
     oracle::Reading reading;
 
-    /// Whether it concerns only the relief, which has no random rays.
+    /// Whether it is a reading of bump mapping, whose renders have no random rays.
     [[nodiscard]] bool isBump() const { return file == defaultExercise().files().front(); }
 };
 

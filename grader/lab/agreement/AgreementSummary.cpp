@@ -10,8 +10,8 @@
 namespace ticker::calibrate {
 namespace {
 
-// Means and variances of 75 000 comparisons of normal variables: the probability of any false alarm
-// is below 1e-3.
+// Limit of |z| for means and variances: with 75 000 comparisons of normal variables, the
+// probability of any false alarm is below 1e-3.
 constexpr double kLargestZ = 5.8;
 // Largest share of the pixels of bumpy scenes that may be off at an edge: see kEdge in
 // OracleAgreement.cpp.

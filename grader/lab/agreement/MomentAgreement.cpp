@@ -13,8 +13,8 @@ using oracle::Covariance;
 using oracle::Moments;
 
 constexpr int kTile = 6;
-// Single against double precision: below 5e-6 in a pixel; the errors of neighbours may have one
-// sign.
+// Difference between single and double precision in a pixel; neighbours' errors may have one sign,
+// so that they add up.
 constexpr double kRounding = 5e-6;
 
 using Triple = std::array<double, 3>;

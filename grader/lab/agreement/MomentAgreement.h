@@ -18,6 +18,7 @@ struct Agreement {
     double varianceRatio = 0.0;  ///< observed / expected; 1 if both are zero
 };
 
+/// Compares independent renders with the moments of their distribution.
 /// @param render  Called with 1, 2, ..., `renders` (at least 2). Returns linear colours, of the
 ///                moments' size.
 [[nodiscard]] Agreement compare(const oracle::Moments& moments, int renders,

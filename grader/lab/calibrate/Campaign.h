@@ -34,7 +34,7 @@ public:
     struct Basis {
         std::vector<std::string> measured;  ///< names that `Parts` knows
         std::string entry;                  ///< name of what is measured, for messages
-        std::string text;                   ///< of that alone; may be empty
+        std::string text;                   ///< that this unit alone depends on; may be empty
     };
     [[nodiscard]] virtual Basis basisOf(std::size_t unit) const = 0;
 
@@ -43,8 +43,9 @@ public:
 
     /// Runs one unit. Several threads call it at once; neighbouring units are requested together.
     /// @return  A JSON object as text, without line breaks. A repeated unit gives one that
-    ///          `agrees`; a member "cpu" may differ. It has the CPU time, submission and judgement
-    ///          together, without compiling: milliseconds, or how often each was measured.
+    ///          `agrees`. The member "cpu", which may differ, is the CPU time of submission and
+    ///          judgement together, without compiling: a number of milliseconds, or an object with
+    ///          the number of decisions for each time.
     /// @throws raytracer::Error if the unit could not be run.
     [[nodiscard]] virtual std::string run(std::size_t unit) = 0;
 

@@ -26,7 +26,8 @@ std::vector<std::string> scenesOfOthers() {
     return names;
 }
 
-// A decision on code whose rays are not visible takes ten times as long.
+// Numbers of decisions on a subject. On code whose rays are not visible, one takes ten times as
+// long.
 std::size_t timesRight(const Subject& subject) {
     return subject.isUnseen() ? 150 : 350;
 }

@@ -43,7 +43,8 @@ private:
         at_ = found == std::string_view::npos ? source_.size() : found + what.size();
     }
 
-    // Comments and white space. The end of a directive's line belongs to the code.
+    // Skips a comment or white space; false if neither begins here. The line break that ends a
+    // preprocessor directive belongs to the code.
     bool skipGap() {
         if (startsWith("//")) {
             const std::size_t end = source_.find('\n', at_);
@@ -83,7 +84,7 @@ private:
         return std::string{source_.substr(open + 1, end - open - 1)};
     }
 
-    // A character, not the mark between the digits of a number.
+    // True for the apostrophe of a character literal; false for one between the digits of a number.
     [[nodiscard]] bool isQuoted() const {
         return source_[at_] == '\'' && (at_ == 0 || !isWord(source_[at_ - 1]));
     }
@@ -107,7 +108,7 @@ private:
         pending_ = pending_.value_or("") + text;
         isGap_ = false;
     }
-    // Writes the string that has come to its end.
+    // Writes the pending string, to which no further literal was added; one with a blank as "".
     void flush() {
         if (!pending_) return;
         if (pending_->find_first_of(" \n") != std::string::npos) pending_->clear();

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Enough for accidents: two of a hundred versions agree with a probability of 1e-6.
+// Hexadecimal digits of a digest. Few are enough: the probability that two of a hundred versions
+// agree by accident is 1e-6.
 constexpr std::size_t kDigits = 8;
 
 // The row of "measured" for a task that has none of its own.
@@ -39,7 +40,7 @@ bool isTask(std::string_view id) {
         knownExercises(), [&](const Exercise& exercise) { return exercise.task(id) != nullptr; });
 }
 
-// All paths that the table has.
+// All paths that the table lists.
 std::set<std::string> pathsOf(const JsonValue& parts) {
     std::set<std::string> paths;
     for (const auto& [name, list] : parts.members())
@@ -48,7 +49,7 @@ std::set<std::string> pathsOf(const JsonValue& parts) {
     return paths;
 }
 
-// "FOLDER/*" stands for the folders there that the table does not have.
+// Replaces "FOLDER/*" by the subfolders of FOLDER that the table does not list.
 std::vector<std::string> expanded(const std::vector<std::string>& paths, const fs::path& root,
                                   const std::set<std::string>& known) {
     std::vector<std::string> all;
@@ -65,7 +66,8 @@ std::vector<std::string> expanded(const std::vector<std::string>& paths, const f
     return all;
 }
 
-// A path with a minus before it is left out.
+// The files and the code files below folders that `paths` lists; "-FOLDER" leaves out those of a
+// folder.
 std::vector<fs::path> filesBelow(const fs::path& root, const std::vector<std::string>& paths,
                                  const JsonValue& place) {
     std::vector<fs::path> files;

@@ -12,7 +12,7 @@ namespace ticker::calibrate {
 /// The code that a result belongs to: a short digest of each part that it depends on, by name.
 using Stamp = std::map<std::string, std::string>;
 
-/// Name in a stamp of what a unit alone depends on, such as the text of its entry.
+/// Key in a stamp for what a unit alone depends on, such as the text of its entry.
 inline constexpr std::string_view kOwnPart = "entry";
 
 /// The parts of the source tree that results depend on, as parts.json has them.
@@ -23,9 +23,10 @@ public:
     ///         part or a path that is not there.
     explicit Parts(const std::filesystem::path& root);
 
-    /// The parts that this depends on: a task's id, or the name of another measurement. A task
-    /// without a row has the row "any other task".
-    /// @throws raytracer::InputError if parts.json does not have it.
+    /// The digests of the parts that a measurement depends on.
+    /// @param measured  A task's id, or the name of another measurement. A task without a row in
+    ///                  parts.json has the row "any other task".
+    /// @throws raytracer::InputError if parts.json has no such row.
     [[nodiscard]] Stamp stampOf(std::string_view measured) const;
 
     /// Files of the parts of a measurement, as paths in the checkout.
@@ -47,7 +48,7 @@ private:
     std::map<std::string, std::vector<std::string>, std::less<>> measured_;
 };
 
-/// The digest of a text of which every character counts.
+/// The digest of a text, comments and white space included: 8 hexadecimal digits.
 [[nodiscard]] std::string shortDigest(std::string_view text);
 
 }  // namespace ticker::calibrate

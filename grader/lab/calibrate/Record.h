@@ -23,7 +23,7 @@ public:
     /// @throws raytracer::InputError if the file belongs to another campaign, or cannot be read.
     Record(const std::filesystem::path& folder, const Campaign& campaign);
 
-    /// Writes one line; threads may call it at once.
+    /// Writes one line. Several threads may call it.
     void add(std::size_t unit, const std::string& found, const Stamp& stamp = {});
     /// Takes over, in memory, units of another record: those that belong to the code of the stamps,
     /// and those that this record lacks. Units of this record that belong to that code stay.
@@ -33,9 +33,10 @@ public:
     [[nodiscard]] bool has(std::size_t unit) const { return found_.contains(unit); }
     /// Empty if the unit is not finished.
     [[nodiscard]] std::string at(std::size_t unit) const;
-    /// The code that a finished unit belongs to; empty for one that is not, or older than stamps.
+    /// The stamp of the code that a unit was measured with; empty if the unit is not finished, or
+    /// is older than stamps.
     [[nodiscard]] Stamp stampOf(std::size_t unit) const;
-    /// Whether the unit is finished, by the code of this stamp.
+    /// Whether the unit is finished, and was measured with the code of this stamp.
     [[nodiscard]] bool isCurrent(std::size_t unit, const Stamp& stamp) const;
     [[nodiscard]] std::size_t size() const { return found_.size(); }
     /// In the order of the units.

@@ -17,8 +17,8 @@ using OnUnit = std::function<void(std::size_t done, std::size_t of)>;
 /// The code that each unit's result depends on today.
 [[nodiscard]] std::vector<Stamp> stampsOf(const Campaign& campaign, const Parts& parts);
 
-/// Runs all units that the record does not have, or has of other code.
-/// @param stamps  Of the units.
+/// Runs all units that the record lacks, or that were measured with other code.
+/// @param stamps  Today's, one for each unit.
 /// @param part    Only units whose name contains it are run; empty: all.
 /// @param jobs    Number of threads.
 /// @throws raytracer::Error of the first unit that could not be run; finished units stay in the
@@ -26,7 +26,7 @@ using OnUnit = std::function<void(std::size_t done, std::size_t of)>;
 void runCampaign(Campaign& campaign, Record& record, const std::vector<Stamp>& stamps, int jobs,
                  const OnUnit& onUnit, std::string_view part = {});
 
-/// Units of the record that are of today's code.
+/// Number of units in the record that were measured with today's code.
 [[nodiscard]] std::size_t currentUnits(const Record& record, const std::vector<Stamp>& stamps);
 
 /// Repeats the campaign's check units and compares them with the record.

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kNeverRun = "";
 constexpr const char* kUnknownCode = "the record does not say what";
 
-/// Units with one reason.
+/// Units that are stale for the same reason.
 struct Stale {
     std::size_t units = 0;
     double cpuMs = 0.0;

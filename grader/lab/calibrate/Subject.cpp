@@ -66,7 +66,7 @@ bool isFileOf(const Exercise& exercise, const std::string& file) {
     return std::ranges::find(exercise.tasks, file, &TaskEntry::file) != exercise.tasks.end();
 }
 
-// The entries of one file, or of all others.
+// The subjects of the files that `isWanted` accepts.
 std::vector<Subject> subjectsOf(const fs::path& data, const Exercise& exercise,
                                 const std::function<bool(std::string_view file)>& isWanted) {
     std::vector<Subject> subjects;

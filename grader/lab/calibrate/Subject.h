@@ -31,13 +31,14 @@ struct Subject {
     [[nodiscard]] bool isRight() const { return expect.passes(); }
     /// The task that it is about; the file's first task if it is about all of them.
     [[nodiscard]] std::string ownTask() const;
-    /// What of it can change a verdict: its code and the expected result.
+    /// The text that its verdict depends on: its code without comments, and the expected result.
     [[nodiscard]] std::string basis() const;
     /// Its rays are not visible, so that values or pictures are judged.
     [[nodiscard]] bool isUnseen() const;
     /// Only a distribution is wrong, so that statistics must find it.
     [[nodiscard]] bool isStatistical() const;
-    /// Threads share what each needs for itself. In some runs none of them disturbs another.
+    /// A data race: threads share a variable that each needs for itself. In some runs it has no
+    /// effect.
     [[nodiscard]] bool isDataRace() const;
 };
 
@@ -74,7 +75,7 @@ inline constexpr std::array<std::string_view, 8> kMeasuredInPictures{
 /// @throws raytracer::InputError if one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
 
-/// The same of all tasks of the other files, of all exercises: their verdicts are exact.
+/// The same for all other files of all exercises: the verdicts on their tasks are exact.
 [[nodiscard]] std::vector<Subject> readExactSubjects(const std::filesystem::path& data);
 
 /// Compiles each subject once, on first use. Threads may share it.

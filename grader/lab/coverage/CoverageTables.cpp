@@ -106,7 +106,7 @@ std::string summaryOf(const std::vector<Row>& rows) {
         wrong, noticed, right, refused);
 }
 
-/// The tasks, then the options of more than one.
+/// Headings of the tables: the ids of the tasks, then the options that are not named after a task.
 std::vector<std::string> headingsOf(const Exercise& exercise) {
     std::vector<std::string> headings;
     for (const TaskEntry& task : exercise.tasks)

@@ -16,14 +16,14 @@ struct CoverageRun {
     std::string only;       ///< cases whose name contains it
     double fraction = 1.0;  ///< share of them, evenly picked
     int jobs = 2;
-    std::function<void(std::size_t done, std::size_t of)>
-        progress;  ///< one call at a time; or null
+    /// Called after each case, one call at a time; may be null.
+    std::function<void(std::size_t done, std::size_t of)> progress;
 };
 
 struct Coverage {
     std::string text;  ///< Markdown: a summary, and a table for each task
-    std::vector<std::string>
-        refused;  ///< right solutions on which a public test fails, a line each
+    /// Right solutions on which a public test fails, a line each.
+    std::vector<std::string> refused;
 };
 
 /// Runs the public tests on the catalogue, the samples and the unseen solutions.

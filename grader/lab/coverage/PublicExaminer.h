@@ -17,7 +17,7 @@ struct Outcome {
     [[nodiscard]] bool objects() const { return kind != Kind::ran || !failed.empty(); }
 };
 
-/// A folder that is removed with its owner.
+/// A temporary folder, removed with this object.
 class ScratchFolder {
 public:
     ScratchFolder();

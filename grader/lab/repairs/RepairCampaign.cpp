@@ -47,7 +47,8 @@ std::string rightText(const corpus::Entry& entry, const std::string& file) {
     return corpus::textsOf(plain).at(file);
 }
 
-/// One replacement, in one line of the mistake, of at most eight tokens on either side.
+/// Whether an entry is a mistake of one replacement, which puts at most eight tokens of one line in
+/// place of at most eight.
 bool isOneEdit(const corpus::Entry& entry) {
     constexpr std::size_t kMostTokens = 8;
     if (!entry.collection.ends_with("mistakes") || entry.edits.size() != 1 ||
@@ -90,7 +91,7 @@ double cpuOf(const repair::Explanation& found, repair::Work work) {
     return ms == found.workMs.end() ? 0.0 : ms->second;
 }
 
-/// What an edit changes, without the ends that stay.
+/// A repair in words: "line 40: a + b -> a - b", and the finding that is left, if any.
 std::string inWords(const Repair& repair) {
     std::string words;
     for (const RepairEdit& edit : repair.edits)
@@ -138,7 +139,8 @@ RepairRow RepairCampaign::run(std::size_t unit) const {
     for (const auto& [file, text] : texts)
         submission.parts[file] = text;
     const SubmissionResult result = pipeline::gradeSubmission(submission, judge_, seed_);
-    // What counts here is CPU time: on a machine that does other work, the wall must not end it.
+    // The limit on CPU time counts here; on a busy machine, the one on wall-clock time must not end
+    // the search.
     constexpr double kLongWall = 3600.0;
     repair::SearchLimits limits = repair::defaultSearchLimits();
     limits.all.wallSeconds = kLongWall;

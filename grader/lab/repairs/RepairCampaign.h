@@ -12,7 +12,7 @@
 
 namespace ticker::lab {
 
-/// Which wrong submissions are tried: all conditions at once.
+/// Which wrong submissions are tried: those that meet all conditions.
 struct RepairChoice {
     std::vector<std::string> collections{"mistakes", "unseen", "samples"};
     std::string task;                ///< only those that fail this one; empty: any
@@ -29,19 +29,19 @@ public:
                    const RepairChoice& choice, std::uint64_t seed);
 
     [[nodiscard]] std::size_t size() const { return units_.size(); }
-    /// Its name among those of all exercises: the same as that of its row.
+    /// Name of a unit, unique over all exercises; the same as that of its row.
     [[nodiscard]] std::string nameOf(std::size_t unit) const;
-    /// Grades one and looks for edits that mend it.
+    /// Grades the submission of a unit and looks for edits that mend it.
     [[nodiscard]] RepairRow run(std::size_t unit) const;
 
 private:
     struct Unit {
         corpus::Entry entry;
-        std::string task;  ///< that it fails
+        std::string task;  ///< the one that the entry fails
     };
 
     const pipeline::Grader& grader_;
-    pipeline::Grader judge_;  ///< the same without pictures, which no failure needs
+    pipeline::Grader judge_;  ///< the same without scenes to render, which no failure needs
     std::uint64_t seed_;
     std::vector<Unit> units_;
 };

@@ -18,16 +18,16 @@ struct RepairRow {
     bool isRepaired = false;   ///< at least one edit was proven to mend it
     bool isRightLine = false;  ///< the first one is in a line that the mistake's own edit changed
     bool wasCutOff = false;    ///< nothing was proven before the time was up
-    double cpuMs = 0.0;
-    double parseMs = 0.0;    ///< of it
-    double compileMs = 0.0;  ///< edits, all in one program
-    double askMs = 0.0;      ///< that program
-    double proveMs = 0.0;    ///< edited submissions: compiling and asking
-    std::size_t tried = 0;   ///< sets of edits
-    std::string edit;        ///< the first edit in words: "line 40: a + b -> a - b"
+    double cpuMs = 0.0;        ///< CPU time in all; its parts follow
+    double parseMs = 0.0;      ///< parsing the submission
+    double compileMs = 0.0;    ///< compiling one program with all edits
+    double askMs = 0.0;        ///< asking that program
+    double proveMs = 0.0;      ///< compiling and asking edited submissions
+    std::size_t tried = 0;     ///< number of sets of edits
+    std::string edit;          ///< the first edit in words: "line 40: a + b -> a - b"
 };
 
-/// The name of its submission among those of all exercises.
+/// The name of a row's submission, unique over all exercises.
 [[nodiscard]] std::string nameOf(const RepairRow& row);
 /// A row as a line of the record, and back.
 [[nodiscard]] std::string jsonOf(const RepairRow& row);
@@ -37,8 +37,8 @@ struct RepairRow {
 /// A row for people.
 [[nodiscard]] std::string lineOf(const RepairRow& row);
 /// All tables in Markdown: rates and cost for each group and task; mistakes of one edit without a
-/// proven edit, or with one elsewhere first; unseen submissions and samples without a proven edit;
-/// those that are not counted as single mistakes, and why.
+/// proven edit, or whose first proven edit is in another line; unseen submissions and samples
+/// without a proven edit; those that are not counted as single mistakes, and why.
 [[nodiscard]] std::string tablesOf(const std::vector<RepairRow>& rows,
                                    const SeveralMistakes& several);
 /// A document with the tables between `<!-- repairs: tables -->` and `<!-- end -->`; without these

@@ -19,7 +19,8 @@ using oracle::Mistake;
 using oracle::Reading;
 using Make = std::function<Picture(const ScreenshotStudent& honest, std::uint64_t seed)>;
 
-/// Option 1's scenes rendered by students who have solved option 2 as well.
+/// A scene of option 1 as rendered by a student who has solved option 2 as well: not through a
+/// pinhole.
 Picture throughTheLens(const std::vector<pipeline::SpecScene>& scenes, const char* name,
                        std::uint64_t seed) {
     OracleExaminee code{{}, {}, false};

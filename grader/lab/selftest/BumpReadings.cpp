@@ -103,11 +103,12 @@ Reading fittingFor(Mistake mistake, Reading reading) {
     if (mistake == Mistake::noWrap || mistake == Mistake::noLastRow) reading.lessOne = false;
     // Around another axis either orientation of a map is accepted.
     if (mistake == Mistake::upsideDown) reading.top = Reading::Top::y;
-    // A sixth of a difference is never a whole number: that sphere is flat.
+    // A sixth of a difference is below 1: as an int it is 0, and the sphere is flat.
     if (mistake == Mistake::wholeNumbers) reading.difference = Reading::Difference::forward;
-    // Three times as far, it would reach across the seam from a tenth of the map.
+    // A neighbour three times as far away would lie across the seam for a tenth of the map.
     if (mistake == Mistake::farNeighbour) reading.difference = Reading::Difference::forward;
-    // Turned tangents enclose no area at the equator, and Blinn's form divides by it.
+    // With turned tangents, P_u x P_v is perpendicular to the normal at the equator, and Blinn's
+    // form divides by its part along the normal.
     if (mistake == Mistake::otherOrigin && reading.gain == Reading::Gain::blinn)
         reading.gain = Reading::Gain::equation;
     // A NaN polar angle makes an invalid row; with clamped rows only the tangents are wrong.

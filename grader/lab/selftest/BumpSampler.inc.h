@@ -18,7 +18,7 @@ public:
     BumpSampler(const Reading& reading, Mistake mistake, const HeightMap& map)
         : reading_(reading), mistake_(mistake), map_(map) {}
 
-    /// Factors of u and v.
+    /// Factors by which u and v become columns and rows.
     [[nodiscard]] int columnsUsed() const { return used(map_.width()); }
     [[nodiscard]] int rowsUsed() const { return used(map_.height()); }
 
@@ -63,8 +63,8 @@ public:
     }
 
 private:
-    /// NaN becomes a place far below the map, as on students' processors. Their int would overflow
-    /// at its neighbour; ours does not.
+    /// NaN becomes an index far below the map, as on students' processors. Theirs is the smallest
+    /// int, whose neighbour overflows; this one has neighbours on both sides.
     static int whole(Real value) {
         constexpr int kFar = 1'000'000'000;
         const Real floor = std::floor(value);

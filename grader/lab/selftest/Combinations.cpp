@@ -30,7 +30,8 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// Whether each edit finds its place in what the earlier ones leave.
+/// Whether the edits apply one after the other: each `find` occurs once in the text that the
+/// earlier edits leave.
 bool allApply(const std::vector<corpus::Edit>& edits, std::string text) {
     return std::ranges::all_of(edits, [&](const corpus::Edit& edit) {
         if (occurrences(text, edit.find) != 1) return false;
@@ -39,7 +40,7 @@ bool allApply(const std::vector<corpus::Edit>& edits, std::string text) {
     });
 }
 
-/// Both choices, or nothing if they cannot be made together.
+/// One entry with the edits of both, or nothing if these do not apply together.
 std::optional<Entry> combined(Entry first, const Entry& second) {
     const std::string& file = second.edits.begin()->first;
     if (first.base != second.base || !first.edits.contains(file)) return std::nullopt;

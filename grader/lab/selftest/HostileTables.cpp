@@ -63,7 +63,7 @@ bool mustBeNamed(const Entry& hostileCase, const std::string& state) {
 }
 
 // True for names of the class's own files in OUT, which a submission's folder would replace. Some
-// file systems ignore case. The list is apart from intake's, which it tests.
+// file systems ignore case. The list is independent of intake's own, which it tests.
 bool takesAPlaceInOut(std::string name) {
     constexpr std::array kFiles{"index.html",   "results.json", "results.sqlite",
                                 "similar.html", "similar.json", "summary.csv"};

@@ -20,10 +20,11 @@ struct HostileRun {
     std::uint64_t seed = 1;  ///< seed of the decisions
     int jobs = 2;            ///< submissions graded in parallel
     int rounds = 1;          ///< repetitions of the whole run
-    /// What else is done with each before its traces are looked for; or null. Threads call it.
+    /// Called with each graded submission before its traces are looked for, by several threads; may
+    /// be null.
     std::function<void(const intake::Submission&, SubmissionResult&)> complete;
-    std::function<void(std::size_t done, std::size_t of)>
-        progress;  ///< one call at a time; or null
+    /// Called after each submission, one call at a time; may be null.
+    std::function<void(std::size_t done, std::size_t of)> progress;
 };
 
 /// Result of one hostile submission.

@@ -77,14 +77,16 @@ bool isAsExpected(const TaskJudgement& own, const corpus::Expectation& expected)
            own.needsReview == expected.needsReview;
 }
 
-/// Whether a task that the entry is not about is as the entry says; it passes if it says nothing.
+/// Whether another task's result is the one that the entry expects; without an expectation the task
+/// must pass, without findings and review.
 bool isOtherAsExpected(const TaskReport& report, const corpus::Entry& entry) {
     if (const auto named = entry.tasks.find(report.id); named != entry.tasks.end())
         return isAsExpected(report, named->second);
     return report.state == TaskState::passed && report.findings.empty() && !report.needsReview;
 }
 
-/// Judges the file that the entry makes: its task is as expected, and so are the others.
+/// Judges the entry's file and sets the row's result: whether its task and the file's other tasks
+/// are as expected.
 void judge(probe::Examinee& examinee, std::string_view file, const MistakeRun& run,
            MistakeRow& row) {
     row.asExpected = true;

@@ -20,15 +20,15 @@ struct MistakeRun {
     double fraction = 1.0;   ///< share of the entries, evenly picked; at least one
     std::uint64_t seed = 1;  ///< of the decision and of the choice of entries
     int jobs = 2;
-    std::function<void(std::size_t done, std::size_t of)>
-        progress;  ///< one call at a time; or null
+    /// Called after each entry, one call at a time; may be null.
+    std::function<void(std::size_t done, std::size_t of)> progress;
 };
 
 /// Result of one entry.
 struct MistakeRow {
     corpus::Entry entry;
     std::string seen;         ///< "failed shadow.hard", or the compiler's first words
-    bool asExpected = false;  ///< and the file's other tasks passed without review
+    bool asExpected = false;  ///< the entry's task and all others of its file
     double probeMs = 0.0;     ///< CPU of the submission's process
     double judgeMs = 0.0;     ///< CPU of the judgement itself
 };

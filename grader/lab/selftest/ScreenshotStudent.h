@@ -14,7 +14,9 @@ namespace ticker::selftest {
 /// A simulated student who attempted one option: renders pictures, and hands some in.
 class ScreenshotStudent {
 public:
-    /// @param scenes, code  Must outlive this object. The code is asked for its own pictures.
+    /// @param scenes, code     Must outlive this object. The code is asked for its own pictures.
+    /// @param isDeterministic  The student attempted option 1, whose pictures have no noise;
+    ///                         otherwise option 2.
     ScreenshotStudent(const std::vector<pipeline::SpecScene>& scenes, bool isDeterministic,
                       probe::Examinee& code);
 

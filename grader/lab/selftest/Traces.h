@@ -37,7 +37,7 @@ private:
 /// Processes with a jail's uid although no running jail has this uid; empty if we are not root.
 [[nodiscard]] std::vector<std::string> processesLeft(const sandbox::UserRange& users);
 
-/// True where this process has a child.
+/// True if this process has a child that is running, or has not been waited for yet.
 [[nodiscard]] bool hasChildLeft();
 
 /// Things that grading could leave behind, counted now.

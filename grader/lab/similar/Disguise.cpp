@@ -72,7 +72,7 @@ void exchangeNeighbours(std::vector<std::string>& parts, bool (*isMovable)(const
     }
 }
 
-/// The text in parts: each function is one, and what stands between two of them.
+/// Splits the text into functions and the pieces between them.
 std::vector<std::string> functionsOf(const std::string& source) {
     std::vector<std::string> parts(1);
     for (const std::string& line : linesOf(source)) {

@@ -12,11 +12,11 @@ namespace ticker::similar {
 namespace {
 
 constexpr std::array kLeastPercents{30, 40, 50, 60};
-// Two entries of the corpus that have so many lines in common, letter by letter, come from one
-// author, or one was made from the other: they are no independent pair.
+// Two entries of the corpus with this many equal long lines come from one author, or one was made
+// from the other: they are no independent pair.
 constexpr std::size_t kSameAuthor = 4;
 constexpr std::size_t kLongLine = 12;
-// A copy whose second half is another student's takes that half from the file so many entries
+// A copy whose second half is another student's takes that half from the file this many entries
 // further on.
 constexpr std::size_t kOtherStep = 7;
 
@@ -52,7 +52,7 @@ bool haveOneAuthor(const std::set<std::string>& one, const std::set<std::string>
     return both.size() >= kSameAuthor;
 }
 
-/// The percentages of all pairs of two authors.
+/// The percentages of all pairs of compared files by different authors.
 std::vector<int> independentPercents(const Originals& originals, const Comparison& comparison,
                                      const std::vector<bool>& isCompared) {
     std::set<std::string> known;
@@ -70,7 +70,7 @@ std::vector<int> independentPercents(const Originals& originals, const Compariso
     return independent;
 }
 
-/// The percentage of each original with its copy; of those that are compared.
+/// The percentage of each compared original with its copy.
 std::vector<int> copyPercents(const Originals& originals, Disguise disguise,
                               const sandbox::Sandbox& sandbox,
                               const std::vector<bool>& isCompared) {
@@ -93,7 +93,7 @@ Listed listedOf(const std::vector<int>& percents, int least) {
             percents.size()};
 }
 
-/// Which files have enough code of their own to be compared: those of which a copy is recognised.
+/// Which files have enough code of their own to be compared: those whose exact copy is recognised.
 std::vector<bool> comparedFiles(const Originals& originals, const sandbox::Sandbox& sandbox) {
     std::vector<StudentFile> twice = originals.files;
     twice.insert(twice.end(), originals.files.begin(), originals.files.end());

@@ -21,7 +21,7 @@ struct Listed {
 struct Row {
     std::string file;
     int leastPercent = 0;
-    Listed independent;                            ///< pairs of two authors
+    Listed independent;                            ///< pairs by different authors
     std::array<Listed, kDisguises.size()> copies;  ///< an original and its copy, by disguise
 };
 

@@ -31,8 +31,10 @@ HWY_INLINE Aim aimAt(const Setup& setup, const SceneSoA::Light& light, const Vec
     return aim;
 }
 
-/// Longest distance at which objects cast shadows, in lengths of `towards`. `centreDistance`:
-/// distance of the light's centre from the lit point.
+/// Longest distance at which objects cast shadows along a ray, in lengths of the ray's direction.
+/// @param length2         Squared length of that direction.
+/// @param centreDistance  Of the light's centre from the lit point, or from the start just above
+///                        it.
 HWY_INLINE VF reachOf(const Setup& setup, VF length2, VF centreDistance) {
     switch (setup.reading.shadowReach) {
         case ShadowReach::toCentre:
@@ -54,7 +56,8 @@ public:
 
     HWY_INLINE void begin(VU /*slot*/, std::size_t /*light*/, std::size_t /*depth*/) {}
 
-    /// Point number `i` of the present hit, radius included.
+    /// Point number `i` of the present hit, relative to the aim's centre, scaled by the light's
+    /// radius.
     HWY_INLINE Vec3 point(std::size_t i) {
         constexpr std::size_t kSignsInWord = 10;
         constexpr std::uint32_t kRows = BallPool::kSize / BallPool::kRow;

@@ -77,8 +77,8 @@ HWY_INLINE VF visibleBesideSphere(const Setup& setup, const TwoCones& cones) {
     return hn::Min(one, positive(visible));
 }
 
-/// Share of a ball on one side of a plane; `height` is the distance of its centre to that side, in
-/// radii.
+/// Share of a ball on one side of a plane; `height` is the distance of its centre from the plane,
+/// in radii, positive on that side.
 HWY_INLINE VF capShare(VF height) {
     const VF one = all(1.0F);
     const VF inside = hn::Min(one, hn::Max(all(-1.0F), height));

@@ -108,7 +108,7 @@ private:
     const Aim& aim_;
     Vec3 axis_;
     VF sine_, sine2_, cosine2_;
-    VF tube_;  ///< radius around all rays
+    VF tube_;  ///< radius of the tube around all rays
 };
 
 /// A plane may shade unless the ball and the start lie wholly on the same side of it.

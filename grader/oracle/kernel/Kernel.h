@@ -21,7 +21,7 @@ enum class Drawing {
 /// State of the student renders' generator: one for each lane.
 struct LaneSeeds {
     std::array<std::uint32_t, 16> lane;
-    std::uint64_t common;
+    std::uint64_t common;            ///< state of the generator that all lanes share
     std::array<float, 2> frameLens;  ///< in [0, 1): the one lens point of lensSharedByFrame
 };
 

@@ -46,7 +46,7 @@ class PathNumbers {
 public:
     PathNumbers(const Workspace& work, bool lattice) : work_(work), lattice_(lattice) {}
 
-    /// What the sample numbers of one vector of paths follow from.
+    /// Input from which the sample numbers of one vector of paths are computed.
     struct Own {
         VU sample, randomisation;
     };
@@ -142,7 +142,7 @@ HWY_INLINE VF cubeRoot(VF u) {
     return root;
 }
 
-/// `aimPoint` of BallPool.h for radius 1, on vectors.
+/// The functions of BallPool.cpp with the same names, on vectors.
 HWY_INLINE Vec3 onSphere(VF radius, VF height, VF turn) {
     const VF across = hn::Mul(radius, hn::Sqrt(positive(hn::NegMulAdd(height, height, all(1.0F)))));
     return {hn::Mul(across, cosineOfTurn(turn)), hn::Mul(across, sineOfTurn(turn)),

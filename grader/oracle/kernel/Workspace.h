@@ -44,7 +44,7 @@ struct ShadowQueue {
     Lanes<std::uint32_t> nearSpheres, otherSpheres, planes;  ///< see Occluders
 };
 
-/// Hits of each path that cone tests leave undecided.
+/// Points of one light that cone tests leave undecided.
 struct LightWork {
     ShadowQueue queue;    ///< points that need shadow rays
     ShadowQueue singles;  ///< points with one occluder, whose share has a closed form
@@ -62,7 +62,7 @@ struct Workspace {
     // The current ray.
     Lanes3 origin, direction;
     Lanes<float> weight;         ///< weight of the next colour; 0 ends the path
-    Lanes<std::int32_t> object;  ///< where the ray starts; -1: the lens
+    Lanes<std::int32_t> object;  ///< the one that the ray starts on; -1: the lens
     Lanes<float> clearance;      ///< height of the ray's origin above that object
 
     std::vector<LightWork> lights;  ///< one for each light of the scene

@@ -18,7 +18,7 @@ struct Provenance {
     bool pinhole = false;
     std::int64_t lensPaths = 0;
     double rmsError = 0.0;
-    std::string seedHash;  ///< shows whether two references share a seed, without revealing it
+    std::string seedHash;  ///< equal for references that share a seed; the seed itself is left out
     std::string toolVersion;
     std::string instructionSet;
 };

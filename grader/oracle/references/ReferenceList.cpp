@@ -14,10 +14,10 @@ namespace ticker::oracle {
 namespace {
 
 namespace fs = std::filesystem;
-// The type that the manifest has: one instantiation less.
+// The type that Manifest.cpp uses, too: one template instantiation less to compile.
 using json = nlohmann::ordered_json;
 
-// Larger references would be too big for the repository: more than four floats for each pixel.
+// Larger references would be too big for the repository: a pixel takes more than four floats.
 constexpr int kLargestPicture = 640;
 
 json parse(const fs::path& file) {

@@ -22,8 +22,8 @@ namespace ticker::oracle {
                                                 const raytracer::RenderSettings& settings,
                                                 std::uint64_t seed, int lensPaths = 0);
 
-/// The same as the template renders it: one hard shadow ray, no aperture. Option 1's scenes are
-/// rendered so.
+/// The picture that the template's renderer gives, as for option 1's scenes: a pinhole camera and
+/// one shadow ray to the centre of each light.
 [[nodiscard]] raytracer::Image renderPinholeWithOracle(const raytracer::SceneDescription& scene,
                                                        const raytracer::RenderSettings& settings);
 

@@ -70,7 +70,8 @@ HeightMap mapAlong(bool u, const std::vector<double>& heights) {
     return u ? mapOf(heights, across) : mapOf(across, heights);
 }
 
-/// Slopes of whole bytes are right on average only: many points around each place are asked for.
+/// On a map of whole bytes, differences of heights have the right slope on average only, so that
+/// normals are asked for at many points around each place.
 AxisAnswers askCoarsely(bool u, int bytesPerTexel, const std::vector<Vector3>& directions) {
     const double rise = bytesPerTexel * kByte * (kRampTexels - 1);
     const std::vector<Vector3> around = directionsBeside(directions);

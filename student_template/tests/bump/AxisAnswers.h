@@ -17,7 +17,7 @@ struct AxisAnswers {
     std::vector<Vector3> tilts;
 };
 
-/// Asks for normals on a ramp and on a bow along one axis of the map.
+/// Asks for normals on a ramp and on a bow along u, or along v if `u` is false.
 /// @param directions  Directions of the points, from the centre of the sphere.
 [[nodiscard]] AxisAnswers askAlong(bool u, const Slope& slope,
                                    const std::vector<Vector3>& directions);

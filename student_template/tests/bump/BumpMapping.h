@@ -13,9 +13,10 @@
 
 namespace raytracer::tests::bump {
 
-/// A rise over the whole map that is small enough to saturate nothing.
+/// A gentle ramp over the whole map. Ramps that rise sixteen times as much (SlopesTest.cpp) still
+/// stay below kBumpFactor, where heights are clamped.
 inline constexpr Slope kGentle{0.3, 0};
-/// A slope that is visible to code that rounds heights to bytes.
+/// A slope in grey levels for each texel, visible to code that rounds heights to bytes.
 inline constexpr Slope kCoarse{0.0, 12};
 
 /// "(0.1, 0.2, 0.3)"
@@ -24,7 +25,7 @@ inline constexpr Slope kCoarse{0.0, 12};
 /// Random heights: a mistake anywhere in the code shows on such a map.
 [[nodiscard]] HeightMap roughMap(int width, int height);
 
-/// Ordinary points, and points where an angle or a coordinate is exactly 0.
+/// Directions of random points, and of points where an angle or a coordinate is exactly 0.
 [[nodiscard]] std::vector<Vector3> telltaleDirections();
 
 /// Task T1, BumpySphere::getNormalAt: shared parts of its public tests.
@@ -38,7 +39,8 @@ protected:
     static const std::optional<BumpSurvey>& survey();
     static std::optional<BumpSurvey> surveyOn(const Slope& slope);
 
-    /// Without a survey the first test complains, and the others cannot be asked.
+    /// False if the solution throws on the survey's maps. The first test that calls this then
+    /// fails, and the others are skipped.
     static bool couldSurvey();
 
 private:

@@ -46,7 +46,9 @@ std::vector<Vector3> groupsAround(const std::vector<Vector3>& middles) {
     return all;
 }
 
-/// The direction in which the places of a group's points grow. False if it is unclear.
+/// Finds the direction on the sphere in which the place on the map grows at the middle point of a
+/// group. False if the neighbours' places are not finite, equal, or too far apart.
+/// @param goesRound  The axis is periodic.
 bool readAxis(const AxisAnswers& answers, std::size_t group, const Frame& frame, bool goesRound,
               AxisAtPoint& axis) {
     const std::size_t at = group * kInGroup;

@@ -27,7 +27,7 @@ struct SurveyPoint {
 /// Steepness of the survey's maps.
 struct Slope {
     double rise = 0.3;      ///< height from end to end
-    int bytesPerTexel = 0;  ///< not 0: a slope in whole bytes, which restarts at 0 after 255
+    int bytesPerTexel = 0;  ///< not 0: grey levels for each texel; heights restart at 0 after 255
 };
 
 /// Asks a solution for normals on ramps and bows along u and along v, around many points. It
@@ -42,7 +42,8 @@ public:
     [[nodiscard]] const std::vector<SurveyPoint>& points() const { return points_; }
     /// Number of points that were asked for.
     [[nodiscard]] int asked() const { return asked_; }
-    /// Whether one axis does not tilt: the places of the points are then unknown.
+    /// True if the normals do not tilt along u, or not along v: the places of the points are then
+    /// unknown.
     [[nodiscard]] bool isLevel() const;
     [[nodiscard]] const Slope& slope() const { return slope_; }
     /// Median length of the tilt on the ramp along u, along v, and on a flat map.
@@ -71,7 +72,8 @@ private:
 [[nodiscard]] std::vector<Vector3> tiltsOn(const HeightMap& map,
                                            const std::vector<Vector3>& directions);
 
-/// The tilts less those on a flat map: the chords of a displaced surface lean even there.
+/// The tilts on this map minus those on a flat one: a normal that is computed from chords of a
+/// displaced surface is tilted even where the map is flat.
 [[nodiscard]] std::vector<Vector3> tiltsBeyondFlat(const HeightMap& map,
                                                    const std::vector<Vector3>& directions);
 

@@ -35,8 +35,8 @@ HeightMap hills() {
     return {kWidth, kHeight, std::move(heights)};
 }
 
-/// Share of the tilt that leans away from rising slopes, weighted by both, less the share that
-/// leans towards them.
+/// How well tilts follow slopes, from -1 to 1, weighted by the size of both: 1 if all normals lean
+/// away from the rising side, as on raised bumps, -1 if all lean towards it.
 class Agreement {
 public:
     void add(double tilt, double slope) {

@@ -44,8 +44,8 @@ TEST_F(BumpMapping, TheNormalTiltsWhereTheMapSlopes) {
     }
 }
 
-/// Directions of the tilts at the surveyed points, relative to the direction in which the map
-/// rises.
+/// Shares of the survey's points by the direction of their tilt, relative to the direction in which
+/// the map rises.
 struct Leaning {
     double back = 0.0;    // away from the higher side: raised
     double into = 0.0;    // towards the higher side: lowered
@@ -57,7 +57,8 @@ Leaning leaningOf(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis) {
     for (const SurveyPoint& point : survey.points()) {
         const AxisAtPoint& at = point.*axis;
         const double cosine = at.tilt.normalised().dot(at.along);
-        // 25 degrees: tangents of the texel instead of the point turn a right tilt by a few.
+        // Cosines of 25 and 65 degrees. Tangents that are computed at the texel instead of at the
+        // point turn a right tilt by a few degrees.
         if (cosine < -0.906) leaning.back += 1.0;
         if (cosine > 0.906) leaning.into += 1.0;
         if (std::abs(cosine) < 0.423) leaning.across += 1.0;

@@ -85,7 +85,7 @@ TEST_F(DepthOfField, APixelMixesColoursInEveryFrame) {
     for (const std::size_t pixel : {0U, 1U})
         for (const ColourRGB& colour : trial().colours(pixel)) {
             if (colour.b > 0.75) return;                  // not a mean: another test reports it
-            const double share = (0.7 - colour.b) / 0.6;  // of the ball
+            const double share = (0.7 - colour.b) / 0.6;  // of the pixel, covered by the ball
             if (share < 0.005 || share > 0.995) ++pure;
         }
     if (pure < kRenders) return;

@@ -22,7 +22,7 @@ constexpr int kRenders = 40;
 inline const std::string kUnseen = "your code casts rays that the test cannot see";
 inline const std::string kAsked = "a frame of 2 x 1 pixels, rendered 40 times";
 
-/// Where the ray's line meets the plane at z.
+/// The point where the ray's line meets the plane with this z.
 [[nodiscard]] Vector3 inPlane(const Ray& ray, double z);
 
 /// A wall of one colour, with ambient light only, so that mistakes in `illuminate` do not count
@@ -44,9 +44,9 @@ public:
     [[nodiscard]] const std::vector<ColourRGB>& colours(std::size_t pixel) const {
         return colours_[pixel];
     }
-    /// Its camera rays in all renders.
+    /// Camera rays of that pixel in all renders.
     [[nodiscard]] const std::vector<Ray>& rays(std::size_t pixel) const { return rays_[pixel]; }
-    /// The smallest number of camera rays that one render cast for it.
+    /// The smallest number of camera rays that any render cast for one of the pixels.
     [[nodiscard]] std::size_t fewestRays() const { return fewest_; }
     [[nodiscard]] bool sawRays() const { return !rays_[0].empty() || !rays_[1].empty(); }
     [[nodiscard]] int mostBounces() const { return log_.mostBounces(); }

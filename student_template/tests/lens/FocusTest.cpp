@@ -29,7 +29,7 @@ namespace {
 class Meeting {
 public:
     explicit Meeting(const std::vector<Ray>& rays) {
-        // Sum of (I - d d^T) p = sum of (I - d d^T) o
+        // Least squares: sum of (I - d d^T) p = sum of (I - d d^T) o
         std::array<Vector3, 3> rows{};
         Vector3 right;
         for (const Ray& ray : rays) {
@@ -78,7 +78,7 @@ bool stayInPixel(const std::vector<Ray>& rays, const RenderSettings& settings, i
     });
 }
 
-/// The same in a frame with pixels as small as the handout's.
+/// The same for pixel `x` of a frame whose pixels are as small as the handout's.
 bool stayInFinePixel(int x) {
     RayLog log;
     RenderSettings settings;
@@ -91,8 +91,9 @@ bool stayInFinePixel(int x) {
     return stayInPixel(rays, settings, 0);  // counted inside of the region
 }
 
-/// Whether each ray goes through another place of its own pixel, which smooths edges and is right.
-/// A wrong focal point may stay inside a large pixel, but not inside a small one.
+/// Whether the solution antialiases: each ray goes through a random place of its own pixel, which
+/// is accepted. Rays with a wrong focal point may stay inside a large pixel, but not inside a small
+/// one, so both sizes are tried.
 bool antialiases(const Trial& trial) {
     const RenderSettings large = Trial::twoPixels();
     return stayInPixel(trial.rays(0), large, 0) && stayInPixel(trial.rays(1), large, 1) &&

@@ -54,8 +54,9 @@ TEST_F(DepthOfField, TheLensIsASquareAroundTheEye) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     const double amount = handout_.dofAmount;
-    // The cell centres of a regular grid reach less far than random points, and fifty random points
-    // that all pixels share are less even: their ends differ by 0.7 with a chance below 1e-7.
+    // The bounds are wider for few points: the cell centres of a regular grid reach less far than
+    // random points, and fifty random points that all pixels share are less even. The chance that
+    // one end lies farther from the eye than the other by 0.7 half-widths is below 1e-7.
     const bool few = lens.distinct <= 500;
     const double least = few ? 0.75 : 0.96;
     const std::string expected = "a square in the plane z = 0, centred on the eye";
@@ -103,7 +104,8 @@ TEST_F(DepthOfField, LensPointsFillTheSquareEvenly) {
     }
     const double count = static_cast<double>(lens.points.size());
     // A square has 21 % of its points outside of the largest disc in it, 25 % in its inner quarter,
-    // and x and y are independent. Among 50 points the shares stray by 0.06, the diagonal by 0.14.
+    // and x and y are independent. For 50 points, the standard deviation of the shares is 0.06, and
+    // that of the diagonal 0.14.
     const bool few = lens.distinct <= 500;
     const double slack = few ? 0.2 : 0.06;
     std::string got;

@@ -6,7 +6,7 @@
 namespace raytracer::questions {
 namespace {
 
-/// `count` numbers from 0 to 1 in equal steps, each through `function`.
+/// The values of `function` at `count` places from 0 to 1 in equal steps.
 template <typename Function>
 std::vector<double> profile(int count, Function function) {
     std::vector<double> heights;

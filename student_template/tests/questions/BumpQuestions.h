@@ -14,7 +14,8 @@ namespace raytracer::questions {
 /// Heights of `count` texels in a row, from 0 to `rise` in equal steps.
 [[nodiscard]] std::vector<double> ramp(int count, double rise);
 
-/// The same slope at its beginning, level in the middle, and an equally steep fall at its end.
+/// A parabola: as steep as the ramp at its beginning, level in the middle, and an equally steep
+/// fall at its end.
 [[nodiscard]] std::vector<double> bow(int count, double rise);
 
 /// `count` texels of one height.

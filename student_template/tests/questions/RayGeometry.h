@@ -11,8 +11,9 @@
 
 namespace raytracer::questions {
 
-// Quantities for judging tasks T2.1 and T2.2, shared by the public tests and the grader. Only the
-// line of a ray counts: the length of its direction does not show its aim.
+// Quantities for judging tasks T2.1 and T2.2, shared by the public tests and the grader. Rays are
+// judged by their lines, since the length of a direction does not tell which point on the line the
+// ray aims at.
 
 /// Vector from a point to the nearest point of the ray's line.
 [[nodiscard]] Vector3 footFrom(const Vector3& point, const Ray& ray);
@@ -22,8 +23,11 @@ namespace raytracer::questions {
 [[nodiscard]] std::size_t nearestLight(const std::vector<PointLight>& lights, const Vector3& origin,
                                        const Vector3& direction);
 
-/// A shadow ray in the direction away from the point. A ray that was cast from the light to the
-/// point meets the same objects and is reversed.
+/// A shadow ray as cast from the lit point. A ray that was cast from the light to the point meets
+/// the same objects and is reversed; every other ray is returned unchanged.
+/// @param position  The lit point.
+/// @param normal    Its unit normal.
+/// @param ray       Its direction has unit length.
 [[nodiscard]] Ray seenFrom(const Vector3& position, const Vector3& normal, const Ray& ray);
 
 /// Contribution of one light to a point without shadow.

@@ -38,7 +38,7 @@ TEST_F(SoftShadows, EachLightGetsEnoughShadowRays) {
     }
 }
 
-/// Whether the rays' lines pass the light where they should.
+/// Statistics of where the lines of shadow rays pass the light.
 class Aims {
 public:
     Aims(const std::vector<Ray>& rays, const Vector3& light, double radius) {
@@ -63,13 +63,14 @@ public:
         }
         const double root = std::sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy);
         roundness_ = (xx + yy - root) / (xx + yy + root);
-        arePattern_ = cells.size() < 200;  // of 3000 random ones no 20 share a cell
+        arePattern_ = cells.size() < 200;  // 3000 random points share few of the cells
     }
 
     /// True for a few aim points that repeat.
     [[nodiscard]] bool arePattern() const { return arePattern_; }
 
-    /// In radii of the light.
+    /// Largest distance of a line from the light's centre, and distance of the lines' mean, in
+    /// radii of the light.
     [[nodiscard]] double farthest() const { return farthest_; }
     [[nodiscard]] double offCentre() const { return mean_.magnitude(); }
     /// 1: equal in all directions, 0: along a line.
@@ -85,8 +86,8 @@ private:
 void judgeAims(const Aims& aims, const std::string& asked) {
     const std::string section = "Soft shadows (T2.1), step 1";
     const std::string expected = "aim points in a ball of radius settings().lightSize";
-    // 3000 lines: if points crowd in the middle, the chance that none passes beyond 0.9 radii is
-    // 1e-40, and the mean is off by 0.1 radii with a chance of 1e-20.
+    // Even for aim points that crowd in the middle, the chance that none of 3000 lines passes
+    // beyond 0.9 radii is 1e-40, and the chance that their mean is off by 0.1 radii is 1e-20.
     if (aims.farthest() > 1.003)
         complain(asked, expected,
                  "lines that pass the centre at " + inWords(aims.farthest()) + " radii",
@@ -110,7 +111,8 @@ void judgeAims(const Aims& aims, const std::string& asked) {
 }
 
 TEST_F(SoftShadows, ShadowRaysAimAtAllOfTheLightAndNothingElse) {
-    // Three directions at right angles: one shows what another hides.
+    // Three perpendicular directions, since an offset of the aim points along the rays does not
+    // show.
     for (const Vector3& towards :
          {Vector3{0.6, 0.8, 0.0}, {-0.48, 0.36, 0.8}, {-0.64, 0.48, -0.6}}) {
         SceneDescription scene = emptyRoom();

@@ -60,7 +60,7 @@ ColourRGB litBall(const SceneDescription& scene, const Vector3& normal, const Ve
 
 TEST_F(SoftShadows, NoSurfaceCastsAShadowOnItself) {
     const SceneDescription scene = roomWithBall();
-    // Half-way between both: the points look at the light and at the eye.
+    // Half-way between the directions to the light and to the eye: the points face both.
     const Vector3 towards =
         ((kLight - kBall).normalised() + (kEye - kBall).normalised()).normalised();
     ColourRGB got;

@@ -21,7 +21,7 @@ void complain(const std::string& asked, const std::string& expected, const std::
 
 std::ostream& operator<<(std::ostream& stream, const Complaint& complaint);
 
-/// Numbers with four digits, for readers.
+/// A number with four significant digits.
 [[nodiscard]] std::string inWords(double value);
 /// "13 %"
 [[nodiscard]] std::string percent(double share);

@@ -113,8 +113,8 @@ private:
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    // --gtest_list_tests and the XML or JSON reports work as ever; --verbose keeps GoogleTest's
-    // own.
+    // GoogleTest's --gtest_list_tests and its XML and JSON reports work as usual; --verbose keeps
+    // GoogleTest's own printer.
     const bool verbose = argc > 1 && std::string_view{argv[1]} == "--verbose";
     if (!verbose) {
         testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();

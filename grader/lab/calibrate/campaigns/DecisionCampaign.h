@@ -20,19 +20,20 @@ struct DecisionPlan {
     /// Number of decisions on a subject, rounded up to whole blocks; 0: none.
     std::function<std::size_t(const Subject&)> decisions;
     std::size_t block = 50;  ///< decisions of a unit
-    /// Whether the other tasks of a subject's file are judged, too: those of the right ones as
-    /// often, those of the wrong ones in the first block.
+    /// Whether the other tasks of a subject's file are judged, too: for right subjects in every
+    /// block, for wrong ones in the first block only.
     bool othersToo = true;
     /// Names of the subjects of which `--check` repeats the first block.
     std::vector<std::string_view> checked;
-    /// Its tables.
+    /// Makes the campaign's tables from its subjects and records.
     std::function<Summary(const std::vector<Subject>&, const std::vector<std::string>&)> tables;
 };
 
-/// Judges subjects repeatedly, each time with another seed. Subjects whose rays are not visible are
-/// asked the same by a judge of many, each with random numbers of its own. A unit is a block of
-/// decisions about one task of one subject, so that an edit of a task's checks makes only its own
-/// units old. Each round covers all subjects, so that a stopped campaign has tried them all.
+/// Judges subjects repeatedly, each time with another seed. Subjects whose rays are not visible get
+/// the same questions, so that a task's `judgeOfMany` keeps what it computes for them, but each has
+/// random numbers of its own. A unit is a block of decisions about one task of one subject, so that
+/// an edit of a task's checks makes only that task's units stale. Each round covers all subjects,
+/// so that a stopped campaign has tried them all.
 class DecisionCampaign final : public Campaign {
 public:
     /// @param programs  Must outlive this object.

@@ -166,7 +166,7 @@ std::map<std::string, Tally> talliesOf(const std::vector<Subject>& subjects,
         const BlockRecord block = BlockRecord::parse(text);
         const Subject& subject = *byName.at(block.subject);
         Tally& tally = tallies[block.subject];
-        // Its other tasks belong to the same decision.
+        // The other tasks of a subject belong to the same decision, which is counted once.
         if (block.task == subject.ownTask())
             tally.add(block);
         else

@@ -11,8 +11,8 @@ namespace ticker::calibrate {
 
 /// Counts, bounds of 95 % confidence and CPU times, as Markdown. A decision on a subject covers all
 /// tasks that were judged in it; the subjects are all right or all wrong. Expected of right ones:
-/// none fails, and at most one in 1,000 is for a person. Expected of wrong ones: none is missed,
-/// and at most one in 50 has another name.
+/// none fails, and at most one in 1,000 needs a person's review. Expected of wrong ones: none is
+/// missed, and at most one in 50 has another name.
 [[nodiscard]] Summary tablesOf(const std::vector<Subject>& subjects,
                                const std::vector<std::string>& records);
 

@@ -28,8 +28,9 @@ double twoSided(double z) {
     return std::erfc(std::abs(z) / std::numbers::sqrt2);
 }
 
-// As in src/render/tests/test_renders.py of Mitsuba 3: the variance of a sample is at least 1e-4. A
-// student's picture is one sample of fifty rays. Red, green and blue in place of XYZ.
+// Share of the channels that pass the z-test of Mitsuba 3 (src/render/tests/test_renders.py), which
+// takes the variance of a sample to be at least 1e-4. Differences here: a student's picture is one
+// sample of fifty rays, and the channels are red, green and blue in place of XYZ.
 double shareThatPasses(const std::vector<ColourRGB>& mean, const std::vector<ColourRGB>& variance,
                        const std::vector<ColourRGB>& picture) {
     constexpr double kFloor = 1e-4 / 50.0;

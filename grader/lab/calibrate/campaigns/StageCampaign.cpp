@@ -159,7 +159,7 @@ std::string StageCampaign::run(std::size_t unit) {
         .dump();
 }
 
-// The last digits of a statistic differ between processors.
+// Statistics are not compared: their last digits differ between processors.
 bool StageCampaign::agrees(const std::string& before, const std::string& now) const {
     const json then = json::parse(before);
     const json again = json::parse(now);
@@ -175,7 +175,7 @@ Summary StageCampaign::summarise(const std::vector<std::string>& records) const 
         kinds[record.at("kind")].add(record);
         all.add(record);
     }
-    // Assumption of the error budget of two stages.
+    // Largest rate of failures of one stage, as the error budget of two stages assumes.
     constexpr double kTail = 5e-4;
     Summary summary;
     summary.asExpected = upperBound(all.failed, all.stages) <= kTail;

@@ -10,8 +10,8 @@
 
 namespace ticker::calibrate {
 
-/// Measures single stages of the statistical layers, of which two must fail for a failure: how near
-/// right submissions whose rays are not visible come to the limits. A unit is a block of stages of
+/// Measures how near right submissions whose rays are not visible come to the limits of a single
+/// statistical stage. A verdict of failure takes two failed stages. A unit is a block of stages of
 /// one kind on one subject.
 class StageCampaign final : public Campaign {
 public:

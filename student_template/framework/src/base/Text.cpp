@@ -43,7 +43,8 @@ std::optional<double> parseNumber(std::string_view text) {
         text.remove_prefix(1);
         if (text.starts_with('+') || text.starts_with('-')) return std::nullopt;
     }
-    // Not every library can read a double with from_chars. strtod also takes other notations.
+    // strtod, since not every standard library has from_chars for double. It would also accept
+    // hexadecimal numbers, "inf" and "nan", whose letters are refused here.
     if (text.empty() || text.find_first_not_of("0123456789.eE+-") != std::string_view::npos)
         return std::nullopt;
     const std::string whole{text};

@@ -37,7 +37,7 @@ public:
 private:
     std::atomic<const Stub*> first_{nullptr};
     std::mutex mutex_;
-    std::deque<Stub> stubs_;  // which moves none
+    std::deque<Stub> stubs_;  // a deque, so that the elements stay where they are
 };
 
 CalledStubs& calledStubs() {

@@ -10,7 +10,7 @@
 namespace raytracer {
 
 /// Distance to the nearest point of the sphere in front of the origin, in lengths of the ray's
-/// direction; infinite when the ray misses. From inside it is that of the far side.
+/// direction; infinite when the ray misses. From an origin inside, the distance to the far side.
 [[nodiscard]] inline double distanceTo(const Sphere& sphere, const Ray& ray) {
     const Vector3 toCentre = sphere.centre() - ray.origin;
     const double a = ray.direction.dot(ray.direction);

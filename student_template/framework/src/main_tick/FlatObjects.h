@@ -18,7 +18,8 @@
 
 namespace raytracer {
 
-/// The spheres of a scene in groups of four, component by component: each instruction handles two.
+/// The spheres of a scene in groups of four, with an array for each component, so that one SIMD
+/// instruction processes two spheres.
 class FlatSpheres {
 public:
     void add(const Sphere& sphere) {
@@ -58,7 +59,7 @@ private:
             return (missSigns(ray, a, 0) & missSigns(ray, a, 1)) < 0;
         }
 
-        // Not inlined, so that rays that end earlier need not save registers for it.
+        // Not inlined, so that rays that miss every block need not save registers for it.
         [[nodiscard, gnu::noinline]] Nearest nearest(const Ray& ray, Nearest found) const {
             for (const Sphere* sphere : spheres_) {
                 if (sphere == nullptr) break;

@@ -54,7 +54,8 @@ Generator& seededGenerator() {
     return generator;
 }
 
-/// Interprets one draw as a cell of a cube with 2^21 cells on a side; the unit ball fills the cube.
+/// Interprets one draw as a cell of a cube with 2^21 cells on a side; the unit ball is inscribed in
+/// the cube.
 struct Cell {
     std::int64_t x;
     std::int64_t y;

@@ -72,7 +72,8 @@ private:
     std::exception_ptr error_;
 };
 
-/// Threads that are waited for whatever happens, as std::jthread does, which not every library has.
+/// Threads that are joined on destruction, also after an exception, like std::jthread, which not
+/// every standard library has.
 class Helpers {
 public:
     Helpers() = default;

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] const Vector3& normal() const { return normal_; }
 
     /// The point where the ray meets the plane, from either side. Main tick: task M3.1, in
-    /// exercise/Plane.cpp; in the starred exercise it is there already.
+    /// exercise/Plane.cpp; given in the starred exercise.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     /// Unit normal, world space; the same at every position.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& /*position*/) const override {

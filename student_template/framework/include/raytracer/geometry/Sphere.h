@@ -16,8 +16,7 @@ public:
     [[nodiscard]] double radius() const { return radius_; }
 
     /// The nearest point of the sphere in front of the ray's origin; from inside, the point on the
-    /// far side. Main tick: task M1, in exercise/Sphere.cpp; in the starred exercise it is there
-    /// already.
+    /// far side. Main tick: task M1, in exercise/Sphere.cpp; given in the starred exercise.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     /// Unit normal, world space, pointing away from the centre.
     /// @param position  Any point but the centre, world space.

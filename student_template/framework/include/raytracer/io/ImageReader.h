@@ -18,8 +18,8 @@ struct ByteImage {
     std::vector<std::uint8_t> rgb;  ///< width * height * 3
 };
 
-/// Reads a PNG file; other formats are refused by name. Grey becomes three equal channels, alpha is
-/// dropped, and 16-bit channels keep their upper 8 bits.
+/// Reads a PNG file. For another format, the error says which one it is. Grey becomes three equal
+/// channels, alpha is dropped, and 16-bit channels keep their upper 8 bits.
 /// @throws InputError if the file is missing, over 64 MiB, not a PNG, damaged, or over 16 384
 ///         pixels on a side or 64 million in all (checked before memory is allocated).
 [[nodiscard]] ByteImage readImage(const std::filesystem::path& file);

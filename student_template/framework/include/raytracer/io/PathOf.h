@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-/// The path that UTF-8 text names, on every system: what Windows makes of a path of `char` depends
-/// on the compiler's library.
+/// Converts UTF-8 text to a path, the same on every system. On Windows, the encoding that a path
+/// expects of `char` depends on the compiler's library.
 [[nodiscard]] inline std::filesystem::path pathOf(std::string_view text) {
     return std::filesystem::path{std::u8string{text.begin(), text.end()}};
 }

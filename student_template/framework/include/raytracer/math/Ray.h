@@ -12,7 +12,8 @@ struct Ray {
     Vector3 direction;
 
     constexpr Ray() = default;
-    // Copied component by component: loading pairs that were just computed would stall.
+    // Component by component: the compiler would copy a whole Vector3 by 16-byte loads, which stall
+    // while its components are still being stored one by one.
     constexpr Ray(const Vector3& from, const Vector3& towards)
         : origin(from.x, from.y, from.z), direction(towards.x, towards.y, towards.z) {}
 

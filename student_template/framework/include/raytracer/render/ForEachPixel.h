@@ -11,9 +11,9 @@ namespace raytracer {
 /// in the image's settings, and reports progress.
 ///
 /// Before each call the thread's generator is reseeded from the settings' seed and the pixel's
-/// place in the full frame, so that a seed gives the same picture for all threads and regions. If
-/// the settings' monitor is interrupted, no further row begins. An exception of the function stops
-/// the loop and leaves this call.
+/// place in the full frame, so that a seed gives the same pixels for every number of threads and in
+/// every region. If the settings' monitor is interrupted, no further row begins. An exception of
+/// the function stops the loop and propagates to the caller.
 void forEachPixel(const Image& image, const std::function<void(int x, int y)>& function);
 
 }  // namespace raytracer

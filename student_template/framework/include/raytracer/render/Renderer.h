@@ -24,8 +24,8 @@ public:
     [[nodiscard]] Image render(const Scene& scene) const;
 
     /// The colour that arrives along a ray: direct light, and mirrored light over up to
-    /// `bouncesLeft` reflections. Main tick: task M4, in exercise/Renderer.cpp; in the starred
-    /// exercise it is there already.
+    /// `bouncesLeft` reflections. Main tick: task M4, in exercise/Renderer.cpp; given in the
+    /// starred exercise.
     [[nodiscard]] ColourRGB trace(const Scene& scene, const Ray& ray, int bouncesLeft) const;
 
     /// The light that a point sends to a viewer, by Phong's model: ambient, diffuse and specular.

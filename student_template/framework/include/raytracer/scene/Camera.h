@@ -13,7 +13,8 @@ public:
     explicit Camera(const RenderSettings& settings);
 
     /// The ray from the eye through the middle of pixel (x, y) of the image; (0, 0) is top left.
-    /// Its direction has unit length. With a region the pixel is counted inside the region.
+    /// Its direction has unit length. If the settings have a region, (x, y) is counted from the
+    /// region's corner.
     [[nodiscard]] Ray castRay(int x, int y) const;
 
 private:

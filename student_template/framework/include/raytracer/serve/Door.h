@@ -8,10 +8,10 @@
 
 namespace raytracer {
 
-/// 32 hexadecimal digits from the system's generator.
+/// 32 random hexadecimal digits from the system's generator.
 [[nodiscard]] std::string freshToken();
 
-/// True for a text that `freshToken` could have given.
+/// True if a text has the form of a token from `freshToken`.
 [[nodiscard]] bool isToken(std::string_view text);
 
 /// True if the header Host, or Origin without its "http://", names this machine and port. False for
@@ -21,7 +21,7 @@ namespace raytracer {
 /// True for equal texts; takes the same time wherever they differ.
 [[nodiscard]] bool isSameSecret(std::string_view one, std::string_view other);
 
-/// What a server on 127.0.0.1 looks at before it answers.
+/// The parts of a request that decide whether a server on 127.0.0.1 answers it.
 struct RequestHead {
     std::string method;
     std::string path;    ///< "/<token>/..."
@@ -30,12 +30,13 @@ struct RequestHead {
     std::string proof;   ///< the page's own header, which holds the token
 };
 
-/// Who is let in by a server on 127.0.0.1: the page that knows the token. A GET must name this
-/// server and carry the token in its path. A POST must come from this server's page, and carry a
-/// header that no other site's page can send.
+/// True if a server on 127.0.0.1 may answer the request. Every request must name this server and
+/// carry the token in its path. A POST must also come from this server's page, and repeat the token
+/// in a header that no other site's page can send.
 [[nodiscard]] bool mayEnter(const RequestHead& head, std::string_view token, int port);
 
-/// Headers of every answer: nothing is kept, guessed, passed on, or read by other sites.
+/// Headers of every answer: no caching, no guess of the content's type, no Referer, no use by pages
+/// of other sites.
 inline constexpr std::array<std::pair<const char*, const char*>, 4> kAnswerHeaders{
     {{"Cache-Control", "no-store"},
      {"Referrer-Policy", "no-referrer"},
