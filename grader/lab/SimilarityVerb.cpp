@@ -53,15 +53,13 @@ similar::Originals originalsOf(const std::string& file, const Exercise& exercise
 
 /// Writes the originals and their disguised copies as files, for other tools.
 void writeCopies(const similar::Originals& originals, const fs::path& folder) {
-    const std::size_t count = originals.files.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < originals.files.size(); ++i) {
         const fs::path target = folder / originals.file / originals.files[i].submission;
         makeFolder(target);
         std::ofstream{target / "original.cpp"} << originals.files[i].text;
         for (const similar::Disguise disguise : similar::kDisguises)
             std::ofstream{target / (std::string{similar::toString(disguise)} + ".cpp")}
-                << similar::disguised(disguise, originals.files[i].text, originals.names,
-                                      originals.files[(i + 1) % count].text);
+                << similar::copyOf(originals, i, disguise);
     }
 }
 

@@ -77,9 +77,7 @@ std::vector<int> copyPercents(const Originals& originals, Disguise disguise,
     const std::vector<StudentFile>& files = originals.files;
     std::vector<StudentFile> all = files;
     for (std::size_t i = 0; i < files.size(); ++i)
-        all.push_back({files[i].submission + "-copied",
-                       disguised(disguise, files[i].text, originals.names,
-                                 files[(i + kOtherStep) % files.size()].text)});
+        all.push_back({files[i].submission + "-copied", copyOf(originals, i, disguise)});
     const Percents percents = percentsOf(comparePercentages(all, originals.known, sandbox, 1));
     std::vector<int> copies;
     for (std::size_t i = 0; i < files.size(); ++i)
@@ -113,6 +111,12 @@ double part(std::size_t some, std::size_t all) {
 }
 
 }  // namespace
+
+std::string copyOf(const Originals& originals, std::size_t index, Disguise disguise) {
+    const std::vector<StudentFile>& files = originals.files;
+    return disguised(disguise, files[index].text, originals.names,
+                     files[(index + kOtherStep) % files.size()].text);
+}
 
 std::vector<Row> evaluate(const Originals& originals, const sandbox::Sandbox& sandbox) {
     const std::vector<bool> isCompared = comparedFiles(originals, sandbox);

@@ -5,6 +5,7 @@
 #include <grader/similar/Similar.h>
 
 #include <array>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ struct Originals {
     std::vector<std::string> known;  ///< the template and the reference
     std::set<std::string> names;     ///< of the kit: a copy keeps them
 };
+
+/// The copy of a file that `evaluate` compares with it.
+/// @param index  Of the file in `originals.files`.
+[[nodiscard]] std::string copyOf(const Originals& originals, std::size_t index, Disguise disguise);
 
 /// Makes copies of each file by every disguise and compares all of them.
 [[nodiscard]] std::vector<Row> evaluate(const Originals& originals,
