@@ -127,6 +127,10 @@ std::set<std::string> Studio::scenes() const {
 
 std::vector<std::string> Studio::arguments() {
     const std::lock_guard lock{mutex_};
+    return argumentsWhileLocked();
+}
+
+std::vector<std::string> Studio::argumentsWhileLocked() const {
     std::vector<std::string> arguments = argumentsOf(scenes_, settings_);
     arguments.insert(arguments.end(), others_.begin(), others_.end());
     return arguments;
@@ -140,10 +144,12 @@ std::string Studio::settingsJson() const {
 }
 
 void Studio::render() {
-    const std::vector<std::string> asked = arguments();
+    std::vector<std::string> asked;
     int number = 0;
     {
+        // The newest picture has to have the newest settings.
         const std::lock_guard lock{mutex_};
+        asked = argumentsWhileLocked();
         number = ++pictures_;
         isWhole_ = isPaused_ = false;
         const RenderSettings settings = parseOptions(asked).settings;

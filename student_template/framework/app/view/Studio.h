@@ -50,6 +50,7 @@ private:
     void hearPart(int number, const std::string& payload);
     [[nodiscard]] std::set<std::string> scenes() const;
     [[nodiscard]] std::vector<std::string> arguments();
+    [[nodiscard]] std::vector<std::string> argumentsWhileLocked() const;  ///< by the caller
     [[nodiscard]] std::string settingsJson() const;
 
     const ViewHome& home_;
