@@ -11,9 +11,9 @@ namespace ticker::package {
 /// @throws raytracer::InputError if a part, or the kit's compiler, cannot be read.
 void addBundle(zip::ZipWriter& zip, const Parts& parts);
 
-/// The contents of a file of grader/integrations. In it @EXERCISE@, @TITLE@, @UUID@, @HANDIN@
-/// (HTML) and @PARTS@ are replaced by the exercise's name, title, question id, sentence on what to
-/// hand in, and parts.
+/// The contents of a file of grader/integrations. In it the words EXERCISE, TITLE, UUID, HANDIN
+/// (HTML) and PARTS, each between two at signs, are replaced by the exercise's name, title,
+/// question id, sentence on what to hand in, and parts.
 [[nodiscard]] std::string integration(const Parts& parts, const std::string& name);
 
 }  // namespace ticker::package

@@ -75,8 +75,9 @@ TEST_F(VerbsInOddPlaces, ExplainSaysOfAClassThatNoEditsWereLookedFor) {
     const Ran ran = run("explain " + at("out"));
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.output, "");
-    EXPECT_EQ(ran.errors, "no edits were looked for in 1 of 1 submission; " TICKER_BINARY_DIR
-                          "/bin/ticker grade with --explain failed --resume looks for them\n");
+    // Between the two the command stands as it was typed.
+    EXPECT_TRUE(ran.errors.starts_with("no edits were looked for in 1 of 1 submission; "));
+    EXPECT_TRUE(ran.errors.ends_with(" grade with --explain failed --resume looks for them\n"));
 }
 
 TEST_F(VerbsInOddPlaces, ExplainSaysOfAClassThatNoEditCouldMendIt) {
