@@ -77,7 +77,7 @@ std::optional<SubmissionResult> readWholeResult(const fs::path& out,
     }
 }
 
-std::vector<ClassEntry> readClass(const fs::path& out) {
+std::vector<ClassEntry> readClass(const fs::path& out, Unreadable unreadable) {
     std::vector<std::string> names;
     std::map<std::string, Decision> decisions;
     if (Store::isIn(out)) {
@@ -92,7 +92,10 @@ std::vector<ClassEntry> readClass(const fs::path& out) {
     if (names.empty()) throw noResults(out);
     std::vector<ClassEntry> entries;
     for (const std::string& name : names) {
-        ClassEntry entry{readNamed(out, name), {}};
+        auto result =
+            unreadable == Unreadable::leaveOut ? readWholeResult(out, name) : readNamed(out, name);
+        if (!result) continue;
+        ClassEntry entry{std::move(*result), {}};
         if (const auto found = decisions.find(name); found != decisions.end())
             entry.decision = std::move(found->second);
         entries.push_back(std::move(entry));

@@ -31,10 +31,15 @@ struct ClassEntry {
 [[nodiscard]] std::optional<SubmissionResult> readWholeResult(const std::filesystem::path& out,
                                                               const std::string& submission);
 
+/// What `readClass` does about a result.json that cannot be read.
+enum class Unreadable { fail, leaveOut };
+
 /// The whole class, by name: the submissions in OUT's store, or, without a store, those with a
 /// result.json. A submission whose folder was removed is left out.
-/// @throws raytracer::InputError if OUT has no results, or a result.json cannot be read.
-[[nodiscard]] std::vector<ClassEntry> readClass(const std::filesystem::path& out);
+/// @throws raytracer::InputError if OUT has no results, or a result.json cannot be read and is not
+///         left out.
+[[nodiscard]] std::vector<ClassEntry> readClass(const std::filesystem::path& out,
+                                                Unreadable unreadable = Unreadable::fail);
 
 /// @throws raytracer::InputError with advice if OUT's store is empty although it should have
 ///         results.

@@ -127,8 +127,8 @@ Database::Database(const std::filesystem::path& file)
     : connection_(std::make_shared<Connection>()) {
     connection_->file = file.string();
     connection_->open(file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    // The write-ahead log needs files beside this one even for reading. Where there are none, and
-    // this user cannot make them, no ticker has the file open.
+    // The write-ahead log needs files beside this one even for reading. If they are missing
+    // and this user cannot make them, no ticker has the file open.
     if (isReadOnly() && !connection_->canBeRead() && !isFileThere(file.string() + "-wal"))
         connection_->open(unchangingName(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }

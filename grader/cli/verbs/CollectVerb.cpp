@@ -9,11 +9,9 @@
 
 #include <fmt/core.h>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace ticker::cli {
@@ -23,23 +21,6 @@ struct CollectOptions {
     std::string out;
     std::string studentView;
 };
-
-/// The class without results that cannot be read.
-std::vector<store::ClassEntry> readableIn(const std::string& out, const store::Store& store) {
-    std::map<std::string, Decision> decisions;
-    for (Decision& decision : store.decisions())
-        decisions[decision.submission] = std::move(decision);
-    std::vector<store::ClassEntry> entries;
-    for (const store::ResultRow& row : store.results()) {
-        auto result = store::readWholeResult(out, row.submission);
-        if (!result) continue;
-        store::ClassEntry entry{std::move(*result), {}};
-        if (const auto found = decisions.find(row.submission); found != decisions.end())
-            entry.decision = std::move(found->second);
-        entries.push_back(std::move(entry));
-    }
-    return entries;
-}
 
 raytracer::ExitCode collect(const CollectOptions& options, const GlobalOptions& global) {
     const std::string& out = options.out;
@@ -53,7 +34,8 @@ raytracer::ExitCode collect(const CollectOptions& options, const GlobalOptions& 
     const store::Collected collected = store::collect(out, store);
     for (const std::string& problem : collected.unreadable)
         fmt::print(stderr, "ticker: {}\n", problem);
-    const std::vector<store::ClassEntry> entries = readableIn(out, store);
+    const std::vector<store::ClassEntry> entries =
+        store::readClass(out, store::Unreadable::leaveOut);
     if (entries.empty())
         throw raytracer::InputError(
             out, 0, "holds no result that can be read; expected folders with a result.json");

@@ -1,3 +1,4 @@
+#include <grader/base/MakeFolder.h>
 #include <grader/lab/repairs/RepairRecord.h>
 
 #include <grader/base/WholeFile.h>
@@ -27,7 +28,7 @@ const RepairRow* RepairRecord::find(const std::string& name) const {
 }
 
 void RepairRecord::add(const RepairRow& row) {
-    std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path());
+    makeFolder(std::filesystem::absolute(file_).parent_path());
     std::ofstream stream{file_, std::ios::app | std::ios::binary};
     stream << jsonOf(row) << '\n' << std::flush;
     if (!stream) throw raytracer::InputError(file_.string(), 0, "cannot be written");

@@ -16,7 +16,7 @@ namespace ticker::tasks {
 template <class Key, class Kept>
 class Shelf {
 public:
-    /// The object kept under this key; it is constructed if there is none.
+    /// The object kept under this key; the first call constructs it.
     /// @param arguments  For the constructor of `Kept`.
     template <class... Arguments>
     [[nodiscard]] std::shared_ptr<Kept> of(const Key& key, Arguments&&... arguments) {

@@ -127,8 +127,8 @@ std::string knownMistake(const LensLog& log) {
     return {};
 }
 
-// A known change that every colour went through; empty if there is none. Used only if the results
-// of `trace` are known and the picture is certainly wrong.
+// A known change that every colour went through; empty if no known one explains them. Used only if
+// the results of `trace` are known and the picture is certainly wrong.
 std::string knownChange(const LensLog& log) {
     if (std::string curve = curveOfRays(log); !curve.empty()) return curve;
     if (everyPixel(log, isBlack))
