@@ -71,9 +71,6 @@ endfunction()
 # whole machine. COST: tests of a high cost start first, so that no long one is left at the end. Programs of
 # all labels but unit get the kits.
 function(ticker_test)
-  if(NOT TICKER_BUILD_TESTS)
-    return()
-  endif()
   cmake_parse_arguments(ARG "ALONE" "NAME;TIMEOUT;FILTER;COST" "SOURCES;LIBRARIES;LABELS;PARTS;SLOW" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)

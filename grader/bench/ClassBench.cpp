@@ -1,7 +1,6 @@
 // Benchmark of grading a class, as ratios: CPU time of ticker and all its child processes, against
 // a bare compiler that builds programs from the same files. Medians of interleaved rounds, two
 // workers.
-#include <grader/bench/Children.h>
 #include <grader/bench/Harness.h>
 #include <grader/exercise/Exercise.h>
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 
 extern char** environ;  // NOLINT: POSIX
 
@@ -82,22 +83,42 @@ double median(std::vector<double> values) {
     return values.at(values.size() / 2);
 }
 
-void runProgram(const std::vector<std::string>& command) {
-    std::vector<std::string> words = command;
+double childSeconds() {
+    return 1e-3 * cpuMilliseconds(RUSAGE_CHILDREN);
+}
+
+pid_t start(std::vector<std::string> words, const std::filesystem::path& output) {
+    posix_spawn_file_actions_t actions{};
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     std::vector<char*> arguments;
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions{};
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) throw raytracer::Error("cannot run " + words[0]);
+    return child;
+}
+
+void finish(pid_t child, const std::filesystem::path& output) {
     int status = 0;
-    if (error != 0 || waitpid(child, &status, 0) != child || status != 0)
+    if (waitpid(child, &status, 0) == child && status == 0) return;
+    std::string said{std::istreambuf_iterator<char>{std::ifstream{output}.rdbuf()}, {}};
+    if (constexpr std::size_t most = 2000; said.size() > most) said.erase(0, said.size() - most);
+    throw raytracer::Error("a program failed; it printed:\n" + said);
+}
+
+void runProgram(const std::vector<std::string>& command) {
+    try {
+        finish(start(command, "/dev/null"), "/dev/null");
+    } catch (const raytracer::Error&) {
         throw raytracer::Error(command.front() + " cannot be run, or fails");
+    }
 }
 
 int runSuite(CLI::App& app, int count, char** words,

@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sys/types.h>
+
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,6 +40,15 @@ struct Pair {
 
 /// The median; the upper one of an even number of values. There must be at least one.
 [[nodiscard]] double median(std::vector<double> values);
+
+/// CPU time in seconds of all child processes that have ended, and of their descendants.
+[[nodiscard]] double childSeconds();
+
+/// Starts a program; its output goes to `output`. @throws raytracer::Error if it cannot be run.
+[[nodiscard]] pid_t start(std::vector<std::string> words, const std::filesystem::path& output);
+
+/// Waits for its end. @throws raytracer::Error, with the end of its output, if the program failed.
+void finish(pid_t child, const std::filesystem::path& output);
 
 /// Runs a program to its end, with its output to /dev/null.
 /// @throws raytracer::Error if it cannot be run or fails.

@@ -23,8 +23,6 @@ constexpr std::array kFolders{".devcontainer", ".vscode", "cmake", "framework", 
 constexpr std::array kFiles{".clangd",           ".gitattributes", ".gitignore", "CMakeLists.txt",
                             "CMakePresets.json", "README.md",      "check",      "check.cmd",
                             "check.json",        "vcpkg.json"};
-// CMake file that builds an overlay beside the framework in this project; packages leave it out.
-constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
 // The list of tasks and pictures that ./check works through.
 constexpr std::string_view kDescription = "check.json";
@@ -83,7 +81,7 @@ private:
         for (const auto& [name, file] : files)
             if (name == kDescription)
                 zip_.add(root_ + name, withEveryTask(readWhole(file), exercise_));
-            else if (!name.ends_with(kWholeKit))
+            else
                 zip_.addFile(root_ + name, file);
     }
 

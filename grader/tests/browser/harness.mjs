@@ -52,6 +52,10 @@ export async function openPage(browser, url, options = {}) {
       problems.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => problems.push(`script: ${error.message}`));
+  page.on("dialog", (dialog) => { // what a student wrote as a script opens one
+    problems.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
   page.on("request", (request) => {
     if (!allowed(request.url())) problems.push(`request: ${request.url()}`);
   });

@@ -16,6 +16,6 @@ cd "$kit"
 # With this ccache uses paths relative to the kit, so that a kit in another folder is not compiled again.
 export CCACHE_BASEDIR="$PWD"
 launcher="$(command -v ccache || true)"
-[[ -f build/release/CMakeCache.txt ]] ||
+[[ -f build/release/build.ninja ]] || # a configure that failed leaves a cache
   cmake --preset release -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"
 cmake --build --preset release --parallel 2

@@ -18,7 +18,7 @@ export async function startViewer(...options) {
     { cwd: kit, stdio: ["ignore", "pipe", "inherit"] });
   const lines = createInterface({ input: viewer.stdout });
   const address = await new Promise((done) => lines.once("line", done));
-  return { address, end: (signal) => new Promise((done) => { viewer.once("exit", done); viewer.kill(signal); }) };
+  return { address, kill: () => viewer.kill(), end: (signal) => new Promise((done) => { viewer.once("exit", done); viewer.kill(signal); }) };
 }
 
 export const openViewer = (browser, viewer, options = {}) =>

@@ -59,5 +59,13 @@ TEST_F(SlurmSubmit, SaysThatTickerIsMissingBeforeItSubmitsAnything) {
     EXPECT_FALSE(fs::exists(at("out")));
 }
 
+TEST_F(SlurmSubmit, SaysThatTheClassIsMissingBeforeItSubmitsAnything) {
+    fs::remove(at("class"));
+    const tests::CommandResult ran = submit("TICKER=/bin/true");
+    EXPECT_EQ(ran.status, 2) << ran.output;
+    EXPECT_EQ(ran.output, "submit: the class class is not there\n");
+    EXPECT_FALSE(fs::exists(at("out")));
+}
+
 }  // namespace
 }  // namespace ticker::cli

@@ -45,6 +45,41 @@ TEST_F(PackageAlone, ShowsTheFailureBesideAHundredThousandDebugPrints) {
     EXPECT_GT(fs::file_size(package().folder() / "build/answers/BumpMapping.txt"), 1'000'000U);
 }
 
+TEST_F(PackageAlone, CountsTheTestsOfASolutionThatPrintsNul) {
+    putSolution("student_template/exercise");
+    put("BumpySphere.cpp",
+        bumpsWith("std::cout << \"a [\" << '\\0' << \"b;\" << std::endl;", false));
+    const tests::CommandResult checked = package().runAlone("./check --quick");
+
+    EXPECT_EQ(checked.status, 0) << checked.output.substr(0, 10'000);
+    EXPECT_NE(checked.output.find("T1   bump mapping:   11 of 11"), std::string::npos)
+        << checked.output.substr(0, 10'000);
+}
+
+// An instructor's task may have neither pictures nor public tests.
+TEST_F(PackageAlone, GoesOnWithAnOptionThatHasNoPictures) {
+    putSolution("student_template/exercise");
+    const fs::path file = package().folder() / "check.json";
+    const std::string before = tests::readFile(file.string());
+    nlohmann::json description = nlohmann::json::parse(before);
+    description["options"].push_back(
+        {{"name", "3"}, {"file", "exercise/Toy.cpp"}, {"tasks", {{{"id", "T3"}}}}});
+    std::ofstream{file} << description.dump(2);
+    const tests::CommandResult checked = package().runAlone("./check");
+    std::ofstream{file} << before;
+
+    EXPECT_EQ(checked.status, 0) << checked.output;
+    EXPECT_NE(checked.output.find("T3 no public tests"), std::string::npos) << checked.output;
+}
+
+TEST_F(PackageAlone, TellsByTheStatusOfViewThatTheCompilerIsMissing) {
+    EXPECT_EQ(package()
+                  .runAlone("cp -r /student /tmp/copy && cd /tmp/copy && rm -rf build && "
+                            "CXX=/nowhere ./check --view")
+                  .status,
+              2);
+}
+
 TEST_F(PackageAlone, ShowsAFewDebugPrintsWhole) {
     putSolution("student_template/exercise");
     put("BumpySphere.cpp",

@@ -130,6 +130,32 @@ TEST_F(Flips, DoNotCountWhereTheyAreEquivalent) {
     EXPECT_NE(table.find("in `if (a < b)`: the same"), std::string::npos);
 }
 
+TEST_F(Flips, AreTriedAgainOnceTheTestThatNoticedThemIsAnotherOne) {
+    folder_.write("blobs", "a.cpp\tx\n");
+    folder_.write("now", "test_a\tA.IsKept\t11\ntest_a\tA.Changed\t13\n");
+    const std::string row = "a.cpp\t3\t9\t < \t1\tif (a < b)\tx\told\t";
+    const std::string kept = row + "caught\ttest_a A.IsKept\t11\n";
+    folder_.write("results", kept + row + "caught\ttest_a A.Changed\t12\n" + row +
+                                 "caught\ttest_a A.Deleted\t12\n" + row + "survived\t\t\n");
+    const std::string command = "awk -f " + kTool + "kept.awk -v tests=";
+    EXPECT_EQ(inFolder(command + "new blobs now results"), kept);
+    EXPECT_EQ(inFolder(command + "old blobs now results"), kept + row + "survived\t\t\n");
+}
+
+// A flip in a folder whose tests are not asked would count as not noticed.
+TEST_F(Flips, AreAskedOfTheTestsOfEveryTask) {
+    const std::string programs =
+        inFolder("sed -n '/^programs=/,/)$/p' " + kTool + "mutation_check");
+    for (const auto& folder : std::filesystem::directory_iterator{
+             std::filesystem::path{TICKER_SOURCE_DIR} / "grader/tests/tasks"}) {
+        const std::string lists = readWhole(folder.path() / "CMakeLists.txt");
+        const std::size_t name = lists.find("ticker_test(NAME ") + 17;
+        const std::string program =
+            "test_" + lists.substr(name, lists.find_first_of(" \n", name) - name);
+        EXPECT_NE(programs.find(program), std::string::npos) << program;
+    }
+}
+
 // A row that fits no line excuses nothing: its flip would be counted as not noticed.
 TEST(EquivalentFlips, StandInTheirFiles) {
     const std::filesystem::path root{TICKER_SOURCE_DIR};

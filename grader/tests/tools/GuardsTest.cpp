@@ -79,6 +79,49 @@ TEST_F(Guards, ThatIgnoreDocumentsAreNotRunAgainAfterAChangeOfOne) {
     EXPECT_EQ(runIn("wc -l < build/times").output, "2\n") << "not a document";
 }
 
+TEST_F(Guards, RunAgainWithAFileThatIsNotYetAdded) {
+    const std::string table = "count\techo x >> build/times\t-\t-\tnothing\n";
+    EXPECT_EQ(runWith(table).status, 0);
+    folder_.write("new.cpp", "a new test");
+    const CommandResult again = runIn("tools/guards/guards 2>/dev/null");
+    EXPECT_EQ(runIn("wc -l < build/times").output, "2\n");
+    EXPECT_TRUE(has(again.output, " and changes |")) << again.output;
+}
+
+TEST_F(Guards, EndWithTheGuardThatRuns) {
+    folder_.write("tools/guards/guards.tsv",
+                  "first\techo $$ > build/started; sleep 300\t-\t-\tnothing\n"
+                  "second\ttouch build/went-on\t-\t-\tnothing\n");
+    const CommandResult ran = runIn(
+        "git add -A; git -c user.name=t -c user.email=t@example.org commit -qm all; "
+        "tools/guards/guards >/dev/null 2>&1 & pid=$!; "
+        "until [ -s build/started ]; do :; done; kill $pid; wait $pid; echo $?; "
+        "tail --pid=$(cat build/started) -f /dev/null; ls build");
+    EXPECT_EQ(ran.output, "130\nguards\nstarted\n");
+}
+
+TEST(House, CountsNothingWhereNothingNamesATask) {
+    const tests::TemporaryFolder folder;
+    folder.write("tools/guards/guards.tsv", "");
+    folder.write("tick", "");
+    folder.write("CMakeLists.txt", "");
+    folder.write("cmake/a.cmake", "");
+    folder.write("student_template/a.cpp", "");
+    folder.write("reference_solution/a.cpp", "");
+    folder.write("grader/a.cpp", "");
+    folder.write("grader/result/GeneralFindings.h", "\"x.y\"\n");
+    folder.write("grader/tasks/bump/BumpFindings.h", "\"bump.flat\"\n");
+    folder.write("grader/exercises/one/exercise.json",
+                 "{\"id\": \"T1\", \"name\": \"A\", \"tasks\": [],\n"
+                 "\"file\": \"BumpySphere.cpp\",\n\"name\": \"bump\", \"file\": \"\"}\n");
+    const CommandResult ran = tests::runCommand("cd '" + folder.path().string() +
+                                                "' && cp '" TICKER_SOURCE_DIR
+                                                "/tools/guards/house' tools/guards/ && "
+                                                "tools/guards/house -v");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    EXPECT_TRUE(has(ran.output, "of these, in a folder that a submission passes")) << ran.output;
+}
+
 TEST_F(Guards, RefuseANameThatTheTableLacks) {
     folder_.write("tools/guards/guards.tsv", "good\ttrue\t-\t-\tnothing\n");
     const CommandResult ran = runIn(

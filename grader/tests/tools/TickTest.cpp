@@ -67,6 +67,39 @@ TEST_F(Tick, BuildsThoughItCannotTellWhatIsToBeDone) {
     EXPECT_TRUE(calls().ends_with("release product\n")) << calls();
 }
 
+TEST_F(Tick, GuardRefusesWhatItDoesNotKnowBeforeItInstallsAnything) {
+    program("bin/dpkg-query", "true");
+    program("bin/apt-get", "echo apt-get >> '" + at("calls").string() + "'");
+    for (const char* words : {"guard", "guard fomrat", "guard all format", "guard load 1 2 3"}) {
+        const tests::CommandResult ran = run(words);
+        EXPECT_EQ(ran.status, 2) << words;
+        EXPECT_EQ(ran.output.find("tick: " + std::string{words}), 0U) << ran.output;
+    }
+    EXPECT_EQ(calls().find("apt-get"), std::string::npos) << calls();
+}
+
+TEST_F(Tick, GuardLoadTakesTheNumbersOfSubmissionsAndKills) {
+    program("tools/guards/load", "echo \"load: $*\"");
+    EXPECT_EQ(run("guard load 200 5").output, "load: 200 5\n");
+}
+
+TEST_F(Tick, InstallsNothingWhereAPackageIsOnHold) {
+    program("bin/dpkg-query", "shift 2; for name; do echo \"hi  $name\"; done");
+    program("bin/apt-get", "echo apt-get >> '" + at("calls").string() + "'");
+    const tests::CommandResult ran = run("compare a.png b.png");
+    EXPECT_EQ(ran.output, "ran compare a.png b.png\n");
+    EXPECT_EQ(calls().find("apt-get"), std::string::npos) << calls();
+}
+
+// Which mistakes the public tests notice is asked of the tests, which a first build leaves out.
+TEST_F(Tick, CoverageBuildsTheTests) {
+    program("build/release/bin/ticker-lab", "echo \"ran $*\"");
+    program("bin/cmake", "echo \"cmake $*\" >> '" + at("calls").string() + "'");
+    EXPECT_EQ(run("coverage --write a.md").status, 0);
+    EXPECT_NE(calls().find("cmake --preset release -DTICKER_BUILD_TESTS=ON"), std::string::npos)
+        << calls();
+}
+
 TEST_F(Tick, BenchRefusesWhatItDoesNotKnow) {
     for (const char* words :
          {"bench --json", "bench orcale", "bench --json a b", "bench --jsn a"}) {

@@ -32,6 +32,26 @@ function(cut_line from to)
   set(${from} "${rest}" PARENT_SCOPE)
 endfunction()
 
+# copy(FROM TO)
+function(copy from to)
+  set(${to} "${${from}}" PARENT_SCOPE)
+endfunction()
+
+# drop_nul(FILE TEXT): PARENT_SCOPE cuts a text at a NUL byte, which a solution prints easily
+# (std::cout << std::uint8_t{0}). file(STRINGS) starts a new line there, and separates lines by semicolons.
+macro(drop_nul file text)
+  copy(${text} cut)
+  string(LENGTH "${cut}" length)
+  string(LENGTH "${${text}}" whole)
+  if(length LESS whole)
+    file(STRINGS "${file}" ${text} ENCODING UTF-8)
+    string(ASCII 1 mark)
+    string(REPLACE "\\;" "${mark}" ${text} "${${text}}")
+    string(REPLACE ";" "\n" ${text} "${${text}}")
+    string(REPLACE "${mark}" ";" ${text} "${${text}}\n")
+  endif()
+endmacro()
+
 # read_ends(FILE TEXT): what a program printed. Of more than 40 MB the middle is left out, of the file,
 # too: an endless loop that prints fills a disk.
 function(read_ends file text)
@@ -43,6 +63,7 @@ function(read_ends file text)
   math(EXPR rest "${size} - ${half}")
   if(rest LESS_EQUAL half)
     file(READ "${file}" all)
+    drop_nul("${file}" all)
   else()
     file(READ "${file}" all LIMIT ${half})
     file(READ "${file}" end OFFSET ${rest})
@@ -118,9 +139,12 @@ macro(json variable)
   endif()
 endmacro()
 
-# indices(VARIABLE KEY...): 0;1;2 for an array of three.
+# indices(VARIABLE KEY...): 0;1;2 for an array of three, nothing where there is none.
 macro(indices variable)
-  string(JSON count LENGTH "${description}" ${ARGN})
+  string(JSON count ERROR_VARIABLE ignored LENGTH "${description}" ${ARGN})
+  if(count MATCHES "-NOTFOUND$")
+    set(count 0)
+  endif()
   set(${variable} "")
   foreach(i RANGE ${count})
     if(i LESS count)
