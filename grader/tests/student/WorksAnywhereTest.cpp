@@ -63,7 +63,7 @@ TEST_F(PackageAlone, GoesOnWithAnOptionThatHasNoPictures) {
     const std::string before = tests::readFile(file.string());
     nlohmann::json description = nlohmann::json::parse(before);
     description["options"].push_back(
-        {{"name", "3"}, {"file", "exercise/Toy.cpp"}, {"tasks", {{{"id", "T3"}}}}});
+        {{"name", "3"}, {"file", "exercise/Toy.cpp"}, {"tasks", nlohmann::json::array({"T3"})}});
     std::ofstream{file} << description.dump(2);
     const tests::CommandResult checked = package().runAlone("./check");
     std::ofstream{file} << before;
