@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -74,15 +73,17 @@ public:
     }
 
     CanvasGrades fill(const std::vector<StudentView>& views) {
-        std::map<std::string, std::size_t> byId;
-        for (std::size_t i = 0; i < views.size(); ++i)
-            byId[idOf(views[i].result().submission)] = i;
+        const auto byId = viewsById(views);
         std::set<std::size_t> used;
         for (std::size_t row = 1; row < file_.rows(); ++row) {
-            const auto view = byId.find(std::string{trimmed(file_.value(row, id_))});
-            if (view == byId.end() || view->first.empty()) continue;
-            used.insert(view->second);
-            grade(row, view->second, views[view->second].result());
+            const auto found = byId.find(std::string{trimmed(file_.value(row, id_))});
+            if (found == byId.end()) continue;
+            used.insert(found->second.begin(), found->second.end());
+            if (found->second.size() == 1)
+                grade(row, found->second.front(), views[found->second.front()].result());
+            else
+                for (const std::size_t view : found->second)
+                    remark(views[view].result(), kSharedId);
         }
         for (std::size_t i = 0; i < views.size(); ++i)
             if (!used.contains(i)) remark(views[i].result(), "no row of the gradebook fits");

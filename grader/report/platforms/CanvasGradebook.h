@@ -20,8 +20,8 @@ struct CanvasGrades {
 /// Fills in one assignment's column of the gradebook as Canvas exported it; all other bytes stay,
 /// such as the row "Points Possible", which gives the maximum. A row is found by its column ID, the
 /// id at the end of a submission's name ("leeann_4711"). Cells of submissions that need review,
-/// were not graded or are excused ("EX") stay unchanged, with a remark: the import changes nothing
-/// where a cell is as before.
+/// were not graded, are excused ("EX") or share an id stay unchanged, with a remark: the import
+/// changes nothing where a cell is as before.
 /// @param name        The file's name, for messages.
 /// @param assignment  "Tick 1", "Tick 1 (815)" or "815"; empty if there is only one.
 /// @throws raytracer::InputError if a column is missing or several fit.

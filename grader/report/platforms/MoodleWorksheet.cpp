@@ -25,8 +25,18 @@ std::string nameOf(const std::string& submission) {
     return id.empty() ? submission : submission.substr(0, submission.size() - id.size() - 1);
 }
 
-/// Normal form of a team's name: Moodle and file systems drop punctuation.
-std::string comparable(std::string_view name) {
+/// A team's name as in the names of the export's files: Moodle drops some characters, and file
+/// systems and intake replace others.
+std::string inFileNames(std::string_view name) {
+    std::string kept;
+    for (const char c : name)
+        if (std::string_view{"&<>\"`|':\\/"}.find(c) == std::string_view::npos)
+            kept += std::string_view{"_?*"}.find(c) == std::string_view::npos ? c : ' ';
+    return kept;
+}
+
+/// What is left of a team's name whichever punctuation was dropped on the way.
+std::string withoutPunctuation(std::string_view name) {
     std::string letters;
     for (const char c : name)
         if (const auto byte = static_cast<unsigned char>(c);
@@ -35,29 +45,61 @@ std::string comparable(std::string_view name) {
     return letters;
 }
 
-/// Finds the submission of a row.
+/// Finds the submission of a row. One that may be another row's is nobody's: a wrong mark is worse
+/// than an empty row.
 class Finder {
 public:
-    explicit Finder(const std::vector<StudentView>& views) {
-        for (std::size_t i = 0; i < views.size(); ++i) {
-            const std::string& submission = views[i].result().submission;
-            if (const std::string id = idOf(submission); !id.empty()) byId_[id] = i;
-            byTeam_[comparable(nameOf(submission))] = i;
+    /// @param teams  All of the worksheet; empty where it has persons.
+    Finder(const std::vector<StudentView>& views, const std::set<std::string>& teams) {
+        if (!teams.empty()) {
+            pairUp(views, teams, inFileNames);
+            pairUp(views, teams, withoutPunctuation);
+            return;
+        }
+        for (const auto& [id, found] : viewsById(views))
+            if (found.size() == 1)
+                views_[id] = found.front();
+            else
+                doubtful_.insert(found.begin(), found.end());
+    }
+
+    /// @param name  A team's name or a person's id.
+    [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
+        const auto found = views_.find(name);
+        if (found == views_.end()) return std::nullopt;
+        return found->second;
+    }
+    [[nodiscard]] bool isDoubtful(std::size_t view) const { return doubtful_.contains(view); }
+
+private:
+    /// Pairs a team and a submission where these two alone have one form of their names. The number
+    /// in a submission's name says nothing: it is the team's, the worksheet has the persons'.
+    void pairUp(const std::vector<StudentView>& views, const std::set<std::string>& teams,
+                std::string (*form)(std::string_view)) {
+        std::map<std::string, std::set<std::string>> teamsByForm;
+        for (const std::string& team : teams)
+            teamsByForm[form(team)].insert(team);
+        std::map<std::string, std::vector<std::size_t>> viewsByForm;
+        for (std::size_t i = 0; i < views.size(); ++i)
+            viewsByForm[form(nameOf(views[i].result().submission))].push_back(i);
+        for (const auto& [name, found] : viewsByForm) {
+            const auto wanted = teamsByForm.find(name);
+            if (name.empty() || wanted == teamsByForm.end()) continue;
+            if (found.size() == 1 && wanted->second.size() == 1)
+                pair(*wanted->second.begin(), found.front());
+            else
+                for (const std::size_t view : found)
+                    if (!paired_.contains(view)) doubtful_.insert(view);
         }
     }
 
-    [[nodiscard]] std::optional<std::size_t> find(const std::string& id,
-                                                  const std::optional<std::string>& team) const {
-        // In a team assignment the number in a submission's name is the team's.
-        const auto& known = team ? byTeam_ : byId_;
-        const auto found = known.find(team ? comparable(*team) : id);
-        if (found == known.end()) return std::nullopt;
-        return found->second;
+    void pair(const std::string& team, std::size_t view) {
+        if (paired_.insert(view).second) views_[team] = view;
     }
 
-private:
-    std::map<std::string, std::size_t> byId_;
-    std::map<std::string, std::size_t> byTeam_;
+    std::map<std::string, std::size_t> views_;  // by what `find` takes
+    std::set<std::size_t> paired_;              // with a team
+    std::set<std::size_t> doubtful_;
 };
 
 class Filler {
@@ -75,10 +117,10 @@ public:
     }
 
     MoodleGrades fill() {
-        const Finder finder{views_};
+        const Finder finder{views_, teams()};
         for (std::size_t row = 1; row < file_.rows(); ++row) {
             const std::string id = digitsAtEnd(file_.value(row, columns_.id));
-            const auto view = finder.find(id, textAt(row, columns_.group));
+            const auto view = finder.find(textAt(row, columns_.group).value_or(id));
             if (!view) continue;
             used_.insert(*view);
             if (const std::string why = whyNot(row, views_[*view].result()); !why.empty())
@@ -89,8 +131,9 @@ public:
         }
         for (std::size_t i = 0; i < views_.size(); ++i)
             if (!used_.contains(i))
-                grades_.remarks.push_back(fmt::format("{}: no row of the worksheet fits",
-                                                      escapeLine(views_[i].result().submission)));
+                grades_.remarks.push_back(
+                    fmt::format("{}: {}", escapeLine(views_[i].result().submission),
+                                finder.isDoubtful(i) ? doubt() : "no row of the worksheet fits"));
         grades_.worksheet = file_.text();
         if (std::string warning = dateWarning(file_, columns_); !warning.empty())
             grades_.warnings.push_back(std::move(warning));
@@ -99,6 +142,19 @@ public:
     }
 
 private:
+    [[nodiscard]] std::set<std::string> teams() const {
+        std::set<std::string> teams;
+        for (std::size_t row = 1; columns_.group && row < file_.rows(); ++row)
+            teams.insert(file_.value(row, *columns_.group));
+        return teams;
+    }
+
+    [[nodiscard]] std::string_view doubt() const {
+        return columns_.group ? "left out, its name fits several teams, or other submissions have "
+                                "it, too: enter the mark by hand"
+                              : kSharedId;
+    }
+
     [[nodiscard]] std::string zerosWarning() const {
         return fmt::format(
             "{} of the marks {} 0, which the newest Moodle drops: look for \"Set grade ... to "

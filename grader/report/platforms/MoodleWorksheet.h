@@ -41,8 +41,9 @@ struct MoodleGrades {
 /// Fills in Moodle's grading worksheet: grade and feedback of submissions whose tick is awarded or
 /// not awarded; all other bytes stay. A row is found by the id at the end of a submission's name
 /// ("Ann Lee_123"), a team's row by the name in the column Group. A grade is the score's share of
-/// the row's maximum, or a word of the scale. Rows that need review, were not graded or are locked
-/// stay unchanged, with a remark. A warning explains how to avoid a loss of rows in Moodle.
+/// the row's maximum, or a word of the scale. Rows that need review, were not graded, are locked or
+/// fit several submissions stay unchanged, with a remark. A warning explains how to avoid a loss of
+/// rows in Moodle.
 /// @param name  The worksheet's file name, for messages.
 /// @throws raytracer::InputError if a column is missing, or if a scale is used and `scale` is
 ///         empty.

@@ -50,6 +50,17 @@ TEST(CanvasGradebook, ChangesTheAssignmentsCellsOfGradedStudentsAndNoOtherByte) 
                                         "gonegus_102: no row of the gradebook fits"}));
 }
 
+TEST(CanvasGradebook, TwoSubmissionsOfOnePersonLeaveTheCellAndAreNamed) {
+    const CanvasGrades grades = fillCanvasGradebook(
+        kGradebook, "g.csv", "Tick 1",
+        {canvasView(passedExample(), "leeann_4711"), canvasView(failedBumpExample(), "may_4711")});
+    EXPECT_EQ(grades.gradebook, kGradebook);
+    EXPECT_TRUE(grades.graded.empty());
+    ASSERT_EQ(grades.remarks.size(), 2U);
+    EXPECT_TRUE(grades.remarks[0].starts_with("leeann_4711: left out")) << grades.remarks[0];
+    EXPECT_TRUE(grades.remarks[1].starts_with("may_4711: left out")) << grades.remarks[1];
+}
+
 TEST(CanvasGradebook, TakesTheAssignmentsNameHeaderOrId) {
     const std::string byName =
         fillCanvasGradebook(kGradebook, "g.csv", "Tick 1", canvasClass()).gradebook;

@@ -142,20 +142,95 @@ TEST(MoodleWorksheet, EverybodyInATeamGetsItsGradeAndNobodyElseByItsNumber) {
         EXPECT_EQ(record.files, std::vector<std::string>{"student.html"}) << id;
 }
 
+MoodleAssignment teamsOf(std::vector<MoodleStudent>& people,
+                         const std::vector<std::string>& groups) {
+    MoodleAssignment moodle;
+    moodle.teams = true;
+    moodle.maximum = 20.0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const int id = 101 + static_cast<int>(i);
+        people.push_back({"Person " + std::to_string(id), id, groups[i], {}, {}});
+        moodle.records[id] = {};
+    }
+    return moodle;
+}
+
+bool remarks(const MoodleGrades& grades, const std::string& name, const std::string& why) {
+    return std::ranges::any_of(grades.remarks, [&](const std::string& remark) {
+        return remark.starts_with(name) && remark.find(why) != std::string::npos;
+    });
+}
+
+TEST(MoodleWorksheet, TeamsWhoseNamesDifferInPunctuationGetTheirOwnMarks) {
+    for (const bool isPlainFirst : {true, false}) {
+        std::vector<MoodleStudent> people;
+        MoodleAssignment moodle = teamsOf(people, {"Team C", "Team C++"});
+        std::vector<StudentView> views{viewOf(passedExample(), "Team C_11"),
+                                       viewOf(failedBumpExample(), "Team C++_12")};
+        if (!isPlainFirst) std::swap(views[0], views[1]);
+        const MoodleGrades grades = filled(moodle.worksheet(people), views);
+        moodle.upload(grades.worksheet, kNow);
+        EXPECT_EQ(moodle.records[101].grade, "20.00");
+        EXPECT_EQ(moodle.records[102].grade, "0.00");
+        EXPECT_NE(moodle.records[102].feedback.find("bump.inverted-u"), std::string::npos);
+        ASSERT_EQ(grades.graded.size(), 2U);
+        EXPECT_EQ(views[grades.graded[0].view].result().submission, "Team C_11");
+        EXPECT_EQ(views[grades.graded[1].view].result().submission, "Team C++_12");
+        EXPECT_TRUE(grades.remarks.empty());
+    }
+}
+
+TEST(MoodleWorksheet, ATeamThatHandedNothingInDoesNotGetTheMarkOfOneWithNearlyItsName) {
+    for (const std::string handedIn : {"Team C", "Team C++"}) {
+        std::vector<MoodleStudent> people;
+        MoodleAssignment moodle = teamsOf(people, {"Team C", "Team C++"});
+        const std::vector<StudentView> views{viewOf(passedExample(), handedIn + "_12")};
+        const MoodleGrades grades = filled(moodle.worksheet(people), views);
+        moodle.upload(grades.worksheet, kNow);
+        EXPECT_EQ(moodle.records[101].grade, handedIn == "Team C" ? "20.00" : "");
+        EXPECT_EQ(moodle.records[102].grade, handedIn == "Team C" ? "" : "20.00");
+    }
+}
+
+TEST(MoodleWorksheet, TeamsThatMoodlesFileNamesDoNotTellApartStayEmptyAndAreNamed) {
+    // Both are "Team C" in the export's file names.
+    for (const std::size_t submissions : {1U, 2U}) {
+        std::vector<MoodleStudent> people;
+        MoodleAssignment moodle = teamsOf(people, {"Team C", "Team: C", "Red"});
+        std::vector<StudentView> views{viewOf(failedBumpExample(), "Red_13"),
+                                       viewOf(passedExample(), "Team C_11"),
+                                       viewOf(failedLensExample(), "Team C_12")};
+        views.resize(1 + submissions, views.front());
+        const MoodleGrades grades = filled(moodle.worksheet(people), views);
+        moodle.upload(grades.worksheet, kNow);
+        EXPECT_EQ(moodle.records[101].grade, "");
+        EXPECT_EQ(moodle.records[102].grade, "");
+        EXPECT_EQ(moodle.records[103].grade, "0.00");
+        EXPECT_EQ(grades.remarks.size(), submissions);
+        EXPECT_TRUE(remarks(grades, "Team C_11", "by hand"));
+    }
+}
+
+TEST(MoodleWorksheet, TwoSubmissionsOfOnePersonLeaveTheRowEmptyAndAreNamed) {
+    MoodleAssignment moodle = assignment();
+    const std::vector<StudentView> views{viewOf(passedExample(), "Ada Byron_7"),
+                                         viewOf(failedBumpExample(), "Ada Lovelace_7")};
+    const MoodleGrades grades = filled(moodle.worksheet(kStudents), views);
+    moodle.upload(grades.worksheet, kNow);
+    EXPECT_EQ(moodle.records[7].grade, "");
+    EXPECT_TRUE(remarks(grades, "Ada Byron_7", "by hand"));
+    EXPECT_TRUE(remarks(grades, "Ada Lovelace_7", "by hand"));
+}
+
 TEST(MoodleWorksheet, LeavesLockedRowsAloneAndSaysWhoIsMissing) {
     MoodleAssignment moodle = assignment();
     moodle.records[7].locked = true;
     std::vector<StudentView> views = someViews();
     views.push_back(viewOf(passedExample(), "Stranger_77"));
     const MoodleGrades grades = filled(moodle.worksheet(kStudents), views);
-    const auto remarked = [&](const std::string& name, const std::string& why) {
-        return std::ranges::any_of(grades.remarks, [&](const std::string& remark) {
-            return remark.starts_with(name) && remark.find(why) != std::string::npos;
-        });
-    };
-    EXPECT_TRUE(remarked("Ada", "locked"));
-    EXPECT_TRUE(remarked("Zo\xC3\xAB", "person"));
-    EXPECT_TRUE(remarked("Stranger_77", "no row"));
+    EXPECT_TRUE(remarks(grades, "Ada", "locked"));
+    EXPECT_TRUE(remarks(grades, "Zo\xC3\xAB", "person"));
+    EXPECT_TRUE(remarks(grades, "Stranger_77", "no row"));
     EXPECT_EQ(grades.graded.size(), 1U);
 }
 
