@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -27,11 +28,11 @@ std::vector<intake::Located> wholePath(const std::string& path, const std::strin
 }
 
 // Name of another exercise, whose files a submission contains; empty if it contains none, or if the
-// submission cannot be read, which its grading reports later.
+// submission cannot be read, also for want of memory, which its grading reports later.
 std::string otherExerciseOf(const intake::Located& located, const intake::IntakeLimits& limits) {
     try {
         return intake::readSubmission(located, limits).otherExercise;
-    } catch (const raytracer::InputError&) {
+    } catch (const std::exception&) {
         return "";
     }
 }

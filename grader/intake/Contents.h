@@ -18,14 +18,16 @@
 namespace ticker::intake {
 
 /// Upper limits of intake. They are far above honest work: a solution has about 5 KiB, a screenshot
-/// of 640 x 480 about 500 KiB.
+/// of 640 x 480 about 500 KiB. `unpackedBytes`, `members` and `ratioFreeBytes` are of a
+/// submission's archive and all archives inside together.
 struct IntakeLimits {
     std::uint64_t sourceBytes = 256U << 10U;
     std::uint64_t screenshotBytes = 16U << 20U;
     std::uint64_t archiveBytes = 64U << 20U;  ///< of the archive itself
     std::uint64_t unpackedBytes = 256U << 20U;
     std::uint64_t members = 4096;
-    int depth = 16;               ///< folders in folders
+    std::uint64_t pathBytes = 4096;  ///< of a member; no system opens a longer path
+    int depth = 16;                  ///< folders in folders
     double largestRatio = 100.0;  ///< unpacked size divided by packed size, above `ratioFreeBytes`
     std::uint64_t ratioFreeBytes = 16U << 20U;
     const Exercise* exercise = &defaultExercise();        ///< the exercise whose files are taken
@@ -46,12 +48,20 @@ struct Packed {
     std::string bytes;
 };
 
+/// What was read of a submission's archives so far. The archives inside one go on with its numbers:
+/// many small ones cost as much as a large one.
+struct Unpacked {
+    std::uint64_t bytes = 0;
+    std::uint64_t members = 0;
+};
+
 /// Contents of a folder or an archive.
 struct Contents {
     std::vector<Candidate> candidates;
     std::vector<Packed> archives;
     std::vector<std::string> others;  ///< paths of everything else
     std::vector<Finding> refusals;    ///< of the submission as a whole
+    Unpacked unpacked;                ///< to read it, and what was read before it
 };
 
 /// The part that a file of this path may be, by its last component, in any case. Additions of
@@ -94,7 +104,9 @@ struct Contents {
 [[nodiscard]] Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits,
                                    const std::string& owner = {});
 /// The same for an archive inside another or in a folder.
-[[nodiscard]] Contents readArchive(const Packed& packed, const IntakeLimits& limits);
+/// @param before  What was unpacked of the submission before.
+[[nodiscard]] Contents readArchive(const Packed& packed, const IntakeLimits& limits,
+                                   const Unpacked& before);
 
 /// The paths of an archive's members.
 struct MemberList {

@@ -41,8 +41,11 @@ public:
                   const std::string& owner)
         : limits_(limits), owner_(owner), stream_(file) {}
 
-    ArchiveReader(const Packed& packed, const IntakeLimits& limits, const std::string& owner)
-        : limits_(limits), owner_(owner), stream_(packed) {}
+    ArchiveReader(const Packed& packed, const IntakeLimits& limits, const std::string& owner,
+                  const Unpacked& before)
+        : limits_(limits), owner_(owner), stream_(packed) {
+        contents_.unpacked = before;
+    }
 
     [[nodiscard]] Contents read() {
         if (!stream_.damage().empty()) return broken();
@@ -85,10 +88,11 @@ private:
         if (!pathInside) return;
         path = std::move(*pathInside);
         const auto type = archive_entry_filetype(entry);
-        if (++members_ > limits_.members)
+        if (++contents_.unpacked.members > limits_.members)
             return refuse(kIntakeTooLarge,
                           fmt::format("The archive has more than {} members, from {} on.",
                                       limits_.members, raytracer::inQuotes(path)));
+        if (path.size() > limits_.pathBytes) return refuseMember(path, "has too long a name");
         if (escapes(path)) return refuseMember(path, "would be unpacked outside its folder");
         if (depthOf(path) > limits_.depth) return refuseMember(path, "lies too deep in folders");
         if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr ||
@@ -120,7 +124,8 @@ private:
                 return refuseMember(path, "cannot be unpacked");
             }
             if (*size == 0) break;
-            unpacked_ += *size;
+            contents_.unpacked.bytes += *size;
+            ownBytes_ += *size;
             if (isBomb()) return refuseMember(path, "unpacks to far more than the archive holds");
             if ((part || isPacked) && candidate.bytes.size() <= limit)
                 candidate.bytes.append(buffer, 0, *size);
@@ -141,9 +146,10 @@ private:
     }
 
     [[nodiscard]] bool isBomb() const {
-        return unpacked_ > limits_.unpackedBytes ||
-               (unpacked_ > limits_.ratioFreeBytes &&
-                static_cast<double>(unpacked_) >
+        const std::uint64_t all = contents_.unpacked.bytes;
+        return all > limits_.unpackedBytes ||
+               (all > limits_.ratioFreeBytes &&
+                static_cast<double>(ownBytes_) >
                     limits_.largestRatio * static_cast<double>(stream_.packedBytes()));
     }
 
@@ -151,8 +157,7 @@ private:
     const std::string& owner_;
     ArchiveStream stream_;
     Contents contents_;
-    std::uint64_t unpacked_ = 0;
-    std::uint64_t members_ = 0;
+    std::uint64_t ownBytes_ = 0;  // unpacked, of this archive alone
 };
 
 }  // namespace
@@ -162,8 +167,8 @@ Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limi
     return ArchiveReader{file, limits, owner}.read();
 }
 
-Contents readArchive(const Packed& packed, const IntakeLimits& limits) {
-    return ArchiveReader{packed, limits, {}}.read();
+Contents readArchive(const Packed& packed, const IntakeLimits& limits, const Unpacked& before) {
+    return ArchiveReader{packed, limits, {}, before}.read();
 }
 
 MemberList listArchive(const std::filesystem::path& file) {

@@ -56,15 +56,16 @@ bool isSource(const Candidate& candidate) {
 }
 
 // Opens a zip beside the picture or alone. If source files lie beside it, a zip is ignored: it is
-// an older state, or a copy.
+// an older state, or a copy. After a refusal nothing more is opened.
 void openArchives(Contents& contents, const IntakeLimits& limits) {
     const bool hasSource = std::ranges::any_of(contents.candidates, isSource);
     for (const Packed& packed : std::exchange(contents.archives, {})) {
-        if (hasSource) {
+        if (hasSource || !contents.refusals.empty()) {
             contents.others.push_back(asUtf8(packed.path));
             continue;
         }
-        Contents inner = readArchive(packed, limits);
+        Contents inner = readArchive(packed, limits, contents.unpacked);
+        contents.unpacked = inner.unpacked;
         for (Candidate& candidate : inner.candidates) {
             candidate.path.insert(0, packed.path + "/");
             contents.candidates.push_back(std::move(candidate));

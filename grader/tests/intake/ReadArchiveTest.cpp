@@ -115,6 +115,74 @@ TEST(ReadArchive, RefusesABombByItsRatioWhereverItLies) {
     EXPECT_NE(refusalOf(submission).message.find("big.bin"), std::string::npos);
 }
 
+/// An archive's bytes, for one inside another.
+std::string bytesOfArchive(const std::string& name, const std::vector<Member>& members) {
+    const tests::TemporaryFolder folder;
+    writeArchive(folder.path() / name, members);
+    std::ifstream stream{folder.path() / name, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// A picture's name and this many bytes, in a zip.
+std::string zippedPicture(std::size_t size) {
+    return bytesOfArchive("inner.zip", {{"screenshot.png", std::string(size, '\0'), AE_IFREG, ""}});
+}
+
+TEST(ReadArchive, BoundsWhatAllArchivesInsideOneUnpackToTogether) {
+    IntakeLimits limits;
+    limits.unpackedBytes = 3U << 20U;
+    const std::string inner = zippedPicture(2U << 20U);
+    const auto of = [&](int count) {
+        std::vector<Member> members;
+        for (int i = 0; i < count; ++i)
+            members.push_back({std::to_string(i) + ".zip", inner, AE_IFREG, ""});
+        return readOf("work.zip", members, limits);
+    };
+    EXPECT_TRUE(of(1).part("screenshot.png"));
+    EXPECT_EQ(refusalOf(of(2)).id, "intake.unsafe-archive");
+    EXPECT_FALSE(of(2).part("screenshot.png"));
+    EXPECT_EQ(of(40).findings.size(), 1U) << "the first refusal ends it";
+}
+
+TEST(ReadArchive, FindsABombThatIsSpreadOverManyArchives) {
+    IntakeLimits limits;
+    limits.ratioFreeBytes = 3U << 20U;
+    const std::string inner = zippedPicture(2U << 20U);
+    EXPECT_EQ(refusalOf(readOf("work.zip", {{"a.zip", inner, AE_IFREG, ""}}, limits)).id,
+              "intake.missing-file");
+    EXPECT_EQ(
+        refusalOf(readOf("work.zip",
+                         {{"a.zip", inner, AE_IFREG, ""}, {"b.zip", inner, AE_IFREG, ""}}, limits))
+            .id,
+        "intake.unsafe-archive");
+}
+
+TEST(ReadArchive, CountsTheMembersOfAllArchivesInsideOneTogether) {
+    IntakeLimits limits;
+    limits.members = 10;
+    std::vector<Member> members;
+    for (int i = 0; i < 5; ++i)
+        members.push_back({std::to_string(i), "", AE_IFREG, ""});
+    const std::string inner = bytesOfArchive("inner.zip", members);
+    EXPECT_EQ(refusalOf(readOf("work.zip", {{"a.zip", inner, AE_IFREG, ""}}, limits)).id,
+              "intake.missing-file");
+    EXPECT_EQ(
+        refusalOf(readOf("work.zip",
+                         {{"a.zip", inner, AE_IFREG, ""}, {"b.zip", inner, AE_IFREG, ""}}, limits))
+            .id,
+        "intake.too-large");
+}
+
+// A pax header may give every member a name of a megabyte, which compresses to nothing.
+TEST(ReadArchive, RefusesANameThatIsLongerThanAnyPath) {
+    const std::string name(3000, 'n');
+    EXPECT_EQ(refusalOf(readOf("work.tar", {{name + "/Renderer.cpp", "", AE_IFREG, ""}})).id, "");
+    const Finding finding =
+        refusalOf(readOf("work.tar", {{name + name + "/Renderer.cpp", "", AE_IFREG, ""}}));
+    EXPECT_EQ(finding.id, "intake.unsafe-archive");
+    EXPECT_LT(finding.message.size(), 1000U);
+}
+
 // Changes the type of a tar's first member, and its header's checksum.
 void setTypeOfFirst(const std::filesystem::path& file, char type) {
     constexpr std::size_t kSumAt = 148;
