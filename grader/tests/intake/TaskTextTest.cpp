@@ -23,6 +23,8 @@ TEST(TaskText, KeepsLiteralsAsTheyAre) {
     EXPECT_EQ(taskText(between("f(u8R\"(a // b)\" );"), "T1"), "f(u8R\"(a // b)\");");
     EXPECT_EQ(taskText(between("f(1'000, 0xA'B, u8'x' , ' ');"), "T1"),
               "f(1'000,0xA'B,u8'x',' ');");
+    EXPECT_EQ(taskText(between("case' ': f(x1, .5e1'0, 0xAB'CD'EF , ' ');"), "T1"),
+              "case' ':f(x1,.5e1'0,0xAB'CD'EF,' ');");
 }
 
 TEST(TaskText, SeesNoMarkInsideALiteralOrABlockComment) {
