@@ -114,8 +114,11 @@ struct MemberList {
     std::string damage;  ///< why it may have more members, or is no archive; empty: these are all
 };
 
+/// @param mostBytes  Of all paths together. By default enough for a class of thousands with their
+///                   whole projects. An archive with more has that as damage.
 /// @throws raytracer::InputError if the file cannot be read.
-[[nodiscard]] MemberList listArchive(const std::filesystem::path& file);
+[[nodiscard]] MemberList listArchive(const std::filesystem::path& file,
+                                     std::uint64_t mostBytes = 64U << 20U);
 
 }  // namespace ticker::intake
 

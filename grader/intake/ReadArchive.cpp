@@ -171,15 +171,22 @@ Contents readArchive(const Packed& packed, const IntakeLimits& limits, const Unp
     return ArchiveReader{packed, limits, {}, before}.read();
 }
 
-MemberList listArchive(const std::filesystem::path& file) {
-    // Enough for a class of thousands; stops a bomb of names.
+MemberList listArchive(const std::filesystem::path& file, std::uint64_t mostBytes) {
     constexpr std::size_t kMost = 1'000'000;
     ArchiveStream stream{file};
     MemberList list;
-    while (archive_entry* entry = list.paths.size() < kMost ? stream.next() : nullptr)
-        list.paths.push_back(memberPath(entry));
-    list.damage =
-        list.paths.size() < kMost ? stream.damage() : fmt::format("it has {} files or more", kMost);
+    std::uint64_t bytes = 0;
+    while (archive_entry* entry = stream.next()) {
+        std::string path = memberPath(entry);
+        bytes += path.size();
+        if (bytes > mostBytes || list.paths.size() == kMost) {
+            list.damage =
+                fmt::format("the names of its files are too long, or more than {}", kMost);
+            return list;
+        }
+        list.paths.push_back(std::move(path));
+    }
+    list.damage = stream.damage();
     return list;
 }
 

@@ -1,3 +1,4 @@
+#include <grader/intake/Contents.h>
 #include <grader/intake/Intake.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <random>
 
 namespace ticker::intake {
@@ -181,6 +183,25 @@ TEST(ReadArchive, RefusesANameThatIsLongerThanAnyPath) {
         refusalOf(readOf("work.tar", {{name + name + "/Renderer.cpp", "", AE_IFREG, ""}}));
     EXPECT_EQ(finding.id, "intake.unsafe-archive");
     EXPECT_LT(finding.message.size(), 1000U);
+}
+
+// The list is made of every archive in a class folder that has only archives.
+TEST(ListArchive, StopsAtABombOfNames) {
+    const tests::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "names.tar.gz";
+    std::vector<Member> members;
+    for (int i = 0; i < 100; ++i)
+        members.push_back({std::string(10'000, 'n') + std::to_string(i), "", AE_IFREG, ""});
+    writeArchive(file, members);
+    constexpr std::uint64_t kMost = 500'000;
+    const MemberList list = listArchive(file, kMost);
+    const std::size_t bytes =
+        std::accumulate(list.paths.begin(), list.paths.end(), std::size_t{0},
+                        [](std::size_t sum, const std::string& path) { return sum + path.size(); });
+    EXPECT_LE(bytes, kMost);
+    EXPECT_EQ(list.paths.size(), 49U);
+    EXPECT_NE(list.damage.find("names"), std::string::npos) << list.damage;
+    EXPECT_EQ(listArchive(file, 2 * kMost + 1000).damage, "");
 }
 
 // Changes the type of a tar's first member, and its header's checksum.
