@@ -184,6 +184,14 @@ std::vector<std::string> formatNames() {
     return names;
 }
 
+std::vector<std::string> submissionFiles() {
+    std::vector<std::string> names{"student.html"};
+    for (const auto& [unused, files] : eachFormats())
+        for (const EachFile& file : files)
+            names.emplace_back(file.name);
+    return names;
+}
+
 std::vector<fs::path> writeFormats(const fs::path& out,
                                    const std::vector<store::ClassEntry>& entries,
                                    const FormatOptions& options) {

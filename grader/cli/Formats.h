@@ -33,6 +33,9 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options);
 /// The formats of `writeFormats`: "autolab", "classroom", ...
 [[nodiscard]] std::vector<std::string> formatNames();
 
+/// Names of all files that `writeFormats` may write into a submission's folder, but report.html.
+[[nodiscard]] std::vector<std::string> submissionFiles();
+
 /// Writes one file for each submission, such as `OUT/<submission>/gradescope.json`, or one file for
 /// the class in OUT; prints warnings on stderr, also about decisions on an earlier hand-in.
 /// Students get the ticker's decision if there is one; the staff's files of the class contain the

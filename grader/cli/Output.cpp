@@ -1,5 +1,6 @@
 #include <grader/base/MakeFolder.h>
 #include <grader/base/WholeFile.h>
+#include <grader/cli/Formats.h>
 #include <grader/cli/Output.h>
 #include <grader/exercise/Exercise.h>
 #include <grader/report/ClassPage.h>
@@ -32,10 +33,13 @@ void removeWhole(const fs::path& path) {
         throw raytracer::InputError(path.string(), 0, "cannot be removed: " + error.message());
 }
 
-// Removes the files of an earlier grading. result.json goes first, because without it the rest does
-// not count as a result.
+// Removes the files of an earlier grading, also those for students and platforms: one that is not
+// made anew would tell of the earlier result. result.json goes first, because without it the rest
+// does not count as a result.
 void clear(const fs::path& folder) {
     for (const char* name : {"result.json", "images", "code"})
+        removeWhole(folder / name);
+    for (const std::string& name : submissionFiles())
         removeWhole(folder / name);
     removeWhole(keptScreenshot(folder).parent_path());
     std::error_code ignored;

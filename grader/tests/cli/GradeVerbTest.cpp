@@ -265,6 +265,25 @@ TEST_F(ClassOfStubs, ReportWritesTheFileOfEachSubmissionAndNamesIt) {
     EXPECT_EQ(run("report '" + out + "' --format tarot").status, 2);
 }
 
+// A platform would take them for the newest result.
+TEST_F(ClassOfStubs, LeavesNoFileOfAPlatformBesideAResultThatItIsNotMadeFrom) {
+    ASSERT_EQ(grade("--format gradescope,prairielearn,classroom,github,autolab,junit").status, 0);
+    const std::vector<std::string> files{"gradescope.json", "prairielearn.json", "classroom.json",
+                                         "classroom.md",    "annotations.txt",   "autolab.txt",
+                                         "junit.xml"};
+    for (const std::string& file : files)
+        ASSERT_TRUE(fs::exists(at("out/ann") / file)) << file;
+    std::ofstream{at("class/ann/BumpySphere.cpp"), std::ios::app} << "// later\n";
+    ASSERT_EQ(grade("--resume --results-only").status, 0);
+    for (const std::string& file : files) {
+        EXPECT_FALSE(fs::exists(at("out/ann") / file)) << file;
+        EXPECT_TRUE(fs::exists(at("out/bob") / file)) << file << ", of a result that was kept";
+    }
+    EXPECT_FALSE(fs::exists(at("out/ann/student.html"))) << "written with the class";
+    ASSERT_EQ(grade("--resume").status, 0);
+    EXPECT_TRUE(fs::exists(at("out/ann/student.html")));
+}
+
 TEST_F(Verbs, DoctorNamesTheSandboxLevels) {
     const Ran ran = run("doctor");
     EXPECT_NE(ran.output.find("sandbox A"), std::string::npos) << ran.output;
