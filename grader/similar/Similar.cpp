@@ -1,27 +1,16 @@
 #include <grader/similar/Matcher.h>
+#include <grader/similar/PlainLines.h>
 #include <grader/similar/Similar.h>
 
 #include <algorithm>
 #include <map>
-#include <sstream>
+#include <ranges>
 #include <utility>
 
 namespace ticker::similar {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-/// What the matcher is given: ASCII only, which its scanner takes whatever a student handed in.
-Lines plainLines(const std::string& text) {
-    Lines lines;
-    std::istringstream stream{text};
-    for (std::string line; std::getline(stream, line);) {
-        for (char& c : line)
-            if (c < ' ' || c > '~') c = ' ';
-        lines.push_back(std::move(line));
-    }
-    return lines;
-}
 
 std::string joined(const Lines& lines) {
     std::string text;
@@ -30,13 +19,11 @@ std::string joined(const Lines& lines) {
     return text;
 }
 
-/// The characters of a line that are neither space, comment nor preprocessor.
+/// The characters of a plain line that are neither space nor preprocessor.
 std::size_t codeIn(const std::string& line) {
-    const std::string code = line.substr(0, line.find("//"));
-    if (code.find_first_not_of(' ') != std::string::npos &&
-        code[code.find_first_not_of(' ')] == '#')
-        return 0;
-    return static_cast<std::size_t>(std::ranges::count_if(code, [](char c) { return c != ' '; }));
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos || line[begin] == '#') return 0;
+    return static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return c != ' '; }));
 }
 
 void blank(Lines& lines, const std::vector<LineRange>& ranges) {
@@ -76,7 +63,10 @@ public:
             texts.push_back(joined(plain.back()));
         }
         if (files.empty()) return;
-        for (const Match& match : matcher_.against(texts, known))
+        std::vector<std::string> plainKnown;
+        for (const std::string& text : known)
+            plainKnown.push_back(joined(plainLines(text)));
+        for (const Match& match : matcher_.against(texts, plainKnown))
             common_[match.left].push_back(match.passage.left);
         for (std::size_t i = 0; i < files.size(); ++i) {
             blank(plain[i], common_[i]);
@@ -101,8 +91,9 @@ public:
         return comparison;
     }
 
+    // Each pair is a run of the matcher.
     void addPassages(Comparison& comparison) const {
-        for (SimilarPair& pair : comparison.pairs)
+        for (SimilarPair& pair : comparison.pairs | std::views::take(kMostPairs))
             pair.passages = matcher_.between(own_[pair.left], own_[pair.right]);
     }
 

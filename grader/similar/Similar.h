@@ -17,6 +17,9 @@ inline constexpr int kLeastPercent = 40;
 /// percentages of a few lines say nothing.
 inline constexpr std::size_t kLeastCode = 350;
 
+/// Pairs whose passages are looked for, and that the page shows: a longer list is no help.
+inline constexpr std::size_t kMostPairs = 200;
+
 /// One student's file.
 struct StudentFile {
     std::string submission;
@@ -65,7 +68,7 @@ struct Comparison {
                                             const sandbox::Sandbox& sandbox,
                                             int leastPercent = kLeastPercent);
 
-/// The same with the passages of each pair.
+/// The same with the passages of the first kMostPairs pairs.
 [[nodiscard]] Comparison compareFiles(const std::vector<StudentFile>& files,
                                       const std::vector<std::string>& known,
                                       const sandbox::Sandbox& sandbox,

@@ -15,9 +15,6 @@ namespace {
 
 using report::escapeHtml;
 
-// A longer list is no help; the most similar pairs come first.
-constexpr std::size_t kMostPairs = 200;
-
 constexpr const char* kCss = R"css(
 main, header { max-width: 96rem; }
 table { border-collapse: collapse; }

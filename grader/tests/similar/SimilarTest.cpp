@@ -1,4 +1,5 @@
 #include <grader/similar/Matcher.h>
+#include <grader/similar/PlainLines.h>
 #include <grader/similar/SimilarPage.h>
 
 #include <raytracer/base/Error.h>
@@ -63,8 +64,44 @@ TEST_F(SimilarFiles, AnyBytesAreCompared) {
     const std::string odd = std::string("\0\x01\xff\"/*\n", 7) + solution(0, "slope");
     const Comparison comparison =
         compareFiles({{"ann", odd}, {"bob", odd}, {"eve", ""}}, {"int stub;\n"}, sandbox_);
-    EXPECT_LE(comparison.compared, 2U);
+    EXPECT_EQ(comparison.compared, 2U);
+    ASSERT_EQ(comparison.pairs.size(), 1U);
+    EXPECT_EQ(comparison.pairs.front().percent, 100);
     EXPECT_TRUE(compareFiles({}, {}, sandbox_).pairs.empty());
+}
+
+TEST_F(SimilarFiles, NoLineThatCompilesHidesACopy) {
+    for (const std::string& line :
+         {std::string{"#if 0\n\"/*\n#endif\n"}, std::string{"auto t = R\"(\"/*)\";\n"},
+          std::string{"// a \\\n\"/*\n"}, std::string{"auto t = \"a\\\n/*\";\n"},
+          std::string{"// a \\ \n/*\n"}, std::string{"/\\\n/ /*\n"},
+          std::string{"auto t = \"a\\\r\n/*\";\n"}, std::string{"auto t = R\"x()\\\nx\" /*)x\";\n"},
+          std::string{"int n = 1'0, m = '/*';\n"},
+          std::string{"int f(int n) { switch (n) { case'\"': return \"/*\"[0]; } }\n"},
+          std::string{"#define $R\nauto t = $R\"(\";\n"},
+          std::string{"#define \u00e9R\nauto t = \u00e9R\"(\";\n"}}) {
+        const Comparison comparison =
+            compareFiles({{"ann", line + solution(0, "slope")}, {"bob", solution(0, "x")}},
+                         {line + "int stub;\n"}, sandbox_);
+        EXPECT_EQ(comparison.compared, 2U) << line;
+        ASSERT_EQ(comparison.pairs.size(), 1U) << line;
+        EXPECT_GE(comparison.pairs.front().percent, 95) << line;
+    }
+}
+
+TEST_F(SimilarFiles, WhatIsInACommentIsNoCode) {
+    const std::string comment = "/*\n" + solution(0, "x") + "*/ int n;\n";
+    const Comparison comparison =
+        compareFiles({{"ann", comment}, {"bob", comment}}, {"int stub;\n"}, sandbox_);
+    EXPECT_EQ(comparison.compared, 0U);
+}
+
+TEST_F(SimilarFiles, OnlyThePairsThatAreShownHaveTheirPassages) {
+    const std::vector<StudentFile> files(21, {"ann", solution(0, "slope")});
+    const std::vector<SimilarPair> pairs = compareFiles(files, {"int stub;\n"}, sandbox_).pairs;
+    ASSERT_EQ(pairs.size(), 210U);
+    EXPECT_FALSE(pairs.at(kMostPairs - 1).passages.empty());
+    EXPECT_TRUE(pairs.at(kMostPairs).passages.empty());
 }
 
 /// Compares two files where no file may be longer than 16 bytes, in a process of its own.
@@ -83,6 +120,22 @@ TEST_F(SimilarFiles, AnyBytesAreCompared) {
 
 TEST_F(SimilarFiles, AFullDiskIsAnErrorAndNotAClassWithoutPairs) {
     EXPECT_EXIT(compareWithoutRoom(sandbox_), testing::ExitedWithCode(0), "");
+}
+
+TEST(PlainLines, HoldCodeAloneInItsLines) {
+    const std::vector<std::string> expected{"int   a = 1000; ",
+                                            "",
+                                            "f(\"\", '0', u8R\"\",",
+                                            "",
+                                            " xx);",
+                                            "#define X",
+                                            "abcd",
+                                            "",
+                                            "+ 1"};
+    EXPECT_EQ(
+        plainLines("int /* b */ a = 1'000; // c \\\n d\n"
+                   "f(\"e // /*\", '\"', u8R\"(\n)\",\n \u00e9);\n#define X\\\n ab\\\ncd\n+ 1"),
+        expected);
 }
 
 TEST(MatcherFailure, SaysHowTheMatcherEnded) {
