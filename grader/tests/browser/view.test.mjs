@@ -34,6 +34,33 @@ const text = (page, id) => page.locator(`#${id}`).textContent();
 const showing = (page, id, words) => page.waitForFunction(([where, what]) =>
   document.getElementById(where).textContent.includes(what), [id, words]);
 
+/// Waits until nothing goes on any more: the viewer builds when it starts, and then may render once more.
+async function quiet(page) {
+  await showing(page, "tests", "T2.2");
+  await finished(page);
+}
+
+/// The addresses of the page's requests for `path` from now on.
+function asksTo(page, path) {
+  const asked = [];
+  page.on("request", (one) => { if (new URL(one.url()).pathname.endsWith(`/${path}`)) asked.push(one.url()); });
+  return asked;
+}
+
+/// Holds the next request for `path` back until `answer` is called; the viewer answers it then, unless an answer is
+/// given here. `isAsked`: until the request is there.
+async function heldBack(page, path, answer) {
+  const held = {};
+  held.isAsked = new Promise((asked) => { held.tell = asked; });
+  const isLetGo = new Promise((letGo) => { held.answer = letGo; });
+  await page.route(new RegExp(`/${path}($|\\?)`), async (route) => {
+    held.tell();
+    await isLetGo;
+    await (answer ? route.fulfill(answer) : route.continue());
+  }, { times: 1 });
+  return held;
+}
+
 test("the viewer's page is quiet, accessible, fits a telephone, and ends with all that it started", () =>
   withPage(async (page) => {
     await finished(page);
@@ -88,6 +115,41 @@ test("the drawing turns by mouse and by keys, and a surface can be asked", () =>
     await page.getByRole("button", { name: "Light at the end of this ray" }).click();
     await page.waitForFunction(() => rays.drawing.data.about.startsWith("The point"));
     assert.match(await page.locator(".ray-faces").textContent(), /light 1 as the point sees it: \d+ of 10 rays arrive/);
+  }));
+
+test("a click while a question waits is asked even if that question fails", () =>
+  withPage(async (page, problems) => {
+    await quiet(page);
+    const first = await heldBack(page, "pixel", { status: 409, body: "Your code crashed at this question." });
+    for (const x of [10, 20]) await page.evaluate((at) => { ask("pixel", { x: at, y: 20 }); }, x);
+    first.answer();
+    await page.waitForFunction(() => rays.drawing.data.about?.includes("(20, 20)"));
+    assert.match(problems.splice(0).join(), /^console: .*409/, "Chromium notes the failure, and nothing else");
+  }));
+
+test("another scene takes the rays and the mark of the last one away, also those that come late", () =>
+  withPage(async (page) => {
+    await quiet(page);
+    await clickPixel(page, 0.5, 0.6);
+    const asked = asksTo(page, "pixel");
+    const late = await heldBack(page, "pixel");
+    await page.evaluate(() => { ask("pixel", { x: 12, y: 12 }); });
+    await late.isAsked;
+    await page.getByLabel("Scene").selectOption("bump-mapping.xml");
+    await page.waitForFunction(() => settings.scene === "bump-mapping.xml");
+    const isGone = async () => {
+      assert.equal(await page.locator("#rays").isVisible(), false, "rays");
+      assert.equal(await page.locator("#mark").isVisible(), false, "mark");
+    };
+    await isGone();
+    late.answer();
+    await page.waitForFunction(() => !isAsking);
+    await isGone();
+    await page.getByRole("slider", { name: "Bounces, as a slider" }).fill("3");
+    await page.waitForFunction(() => settings.bounces === "3");
+    await finished(page);
+    assert.equal(asked.length, 1, "the new scene is not asked about the old pixel");
+    await isGone();
   }));
 
 test("all of it can be reached by keys", () =>
@@ -218,6 +280,28 @@ test("another picture can be laid over this one", () =>
     assert.equal(await page.locator("#other").isVisible(), true);
   }));
 
+test("a slider asks for one picture to compare with at a time, and shows that of the newest settings", () =>
+  withPage(async (page) => {
+    await quiet(page);
+    const asked = asksTo(page, "pinhole");
+    const first = await heldBack(page, "pinhole");
+    await page.getByLabel("Compare with").selectOption("pinhole");
+    await first.isAsked;
+    const slider = page.getByRole("slider", { name: "Bounces, as a slider" });
+    for (const bounces of ["3", "4", "1"]) {
+      await slider.fill(bounces);
+      await page.waitForFunction((wanted) => settings.bounces === wanted, bounces);
+    }
+    const second = await heldBack(page, "pinhole");
+    first.answer();
+    await second.isAsked;
+    assert.equal(await page.evaluate(() => picture.kept.pinhole), null, "the old settings' picture is not taken");
+    second.answer();
+    await page.waitForFunction(() => picture.kept.pinhole);
+    assert.equal(await page.locator("#other").isVisible(), true);
+    assert.equal(asked.length, 2);
+  }));
+
 test("an error of the compiler shows with its line, a right edit with its picture, a mistake with its test", () =>
   withPage(async (page) => {
     await finished(page);
@@ -259,6 +343,18 @@ test("code that crashes says so and takes nothing with it", () =>
     await writeFile(exerciseFile, source);
     await page.waitForFunction(() => document.getElementById("trouble").hidden);
     await finished(page);
+  }));
+
+test("a page that lost its viewer for a while, as in a laptop's sleep, takes back that it has ended", () =>
+  withPage(async (page, problems) => {
+    await finished(page);
+    const { context } = browser;
+    await context.setOffline(true);
+    await showing(page, "status", "has ended");
+    await context.setOffline(false);
+    await page.waitForFunction(() => document.getElementById("status").textContent === "");
+    await finished(page);
+    problems.splice(0);
   }));
 
 test("a viewer that is killed leaves no process behind, and its page says that it has ended", async () => {

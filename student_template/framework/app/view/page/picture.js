@@ -5,15 +5,18 @@ class Picture {
     this.other = other;
     this.pen = canvas.getContext("2d");
     this.kept = { before: null, pinhole: null };
-    this.shown = "";
+    this.number = 0;
     this.build = -1;
     this.area = 0;
   }
 
   /// A new picture begins; the last one stays until its pieces are painted over.
-  begin({ build, width, height }, isNewScene) {
-    if (isNewScene) this.kept.before = null;
-    else if (this.build >= 0 && build !== this.build) this.kept.before = this.copy(this.canvas);
+  begin({ number, build, width, height }, isNewScene) {
+    if (isNewScene) {
+      this.kept.before = null;
+      this.compare("");
+    } else if (this.build >= 0 && build !== this.build) this.kept.before = this.copy(this.canvas);
+    this.number = number;
     this.build = build;
     this.area = 0;
     this.kept.pinhole = null;
@@ -57,7 +60,6 @@ class Picture {
 
   /// Lays one of the kept pictures over this one; "": none.
   compare(name) {
-    this.shown = name;
     const kept = this.kept[name];
     this.other.hidden = !kept;
     if (kept) this.other.getContext("2d").drawImage(kept, 0, 0, this.other.width, this.other.height);

@@ -87,22 +87,34 @@ function showSettings(now) {
 
 // ---- pixels
 
-/// A pixel or a point of a surface: {about, words, rays, ...} is drawn.
+/// A pixel or a point of a surface is drawn. One question at a time, then the newest; what is said about
+/// another scene is dropped.
 async function ask(kind, at, isAgain = false) {
-  question = { kind, at };
+  question = { kind, at, scene: settings?.scene };
   if (isAsking) return;
   isAsking = true;
-  try {
-    const asked = question;
-    const drawing = await (await request(`${kind}?${new URLSearchParams(at)}`)).json();
-    const isFirst = byId("rays").hidden;
-    byId("rays").hidden = false;
-    rays.show(drawing, isAgain || kind === "point");
-    if (isFirst) byId("rays").scrollIntoView({ block: "nearest" }); // who clicks once more knows where they are
-    tell(drawing.about);
-    if (question !== asked) { isAsking = false; await ask(question.kind, question.at, true); }
-  } catch (error) { tell(error.message); }
+  for (let asked = null; question && question !== asked; isAgain = true) {
+    asked = question;
+    try {
+      const drawing = await (await request(`${asked.kind}?${new URLSearchParams(asked.at)}`)).json();
+      if (asked.scene === settings?.scene) showRays(drawing, isAgain || asked.kind === "point");
+    } catch (error) { tell(error.message); }
+  }
   isAsking = false;
+}
+
+function showRays(drawing, keepsView) {
+  const isFirst = byId("rays").hidden;
+  byId("rays").hidden = false;
+  rays.show(drawing, keepsView);
+  if (isFirst) byId("rays").scrollIntoView({ block: "nearest" }); // who clicks once more knows where they are
+  tell(drawing.about);
+}
+
+function forgetRays() {
+  question = null;
+  byId("rays").hidden = byId("mark").hidden = true;
+  tell("");
 }
 
 function moveMark(x, y) {
@@ -135,17 +147,28 @@ function listenToPicture() {
 
 // ---- comparing
 
-async function compare() {
+function compare() {
   const name = byId("compare").value;
   byId("wipe").hidden = !name;
-  if (name === "pinhole" && !picture.kept.pinhole) {
+  if (name === "pinhole" && !picture.kept.pinhole) fetchPinhole();
+  else picture.compare(name);
+}
+
+let isFetching = false;
+/// One request at a time, then one with the newest settings: a slider moves faster than a picture is rendered.
+async function fetchPinhole() {
+  if (isFetching) return;
+  isFetching = true;
+  for (let asked = null; byId("compare").value === "pinhole" && !picture.kept.pinhole && asked !== picture.number;) {
+    asked = picture.number;
     const { width, height } = picture.canvas;
     try {
       const bytes = new Uint8Array(await (await request("pinhole")).arrayBuffer());
-      picture.kept.pinhole = picture.imageOf(bytes, width, height);
-    } catch (error) { return tell(error.message); }
+      if (asked === picture.number) picture.kept.pinhole = picture.imageOf(bytes, width, height);
+    } catch (error) { tell(error.message); }
   }
-  picture.compare(name);
+  isFetching = false;
+  if (picture.kept.pinhole) picture.compare(byId("compare").value);
 }
 
 function showCompare() {
@@ -165,7 +188,8 @@ function showPicture(head) {
   showSettings(head.settings);
   byId("done").value = 0;
   byId("stage").textContent = "";
-  areRaysOld = question !== null && !isNewScene;
+  if (isNewScene) forgetRays();
+  areRaysOld = question !== null;
   showCompare();
 }
 
@@ -203,6 +227,7 @@ async function follow() {
     if (news && version === 0) tell("");
     if (news) { version = news.version; show(news); continue; }
     tell(ended);
+    version = 0; // asked for all of it, a viewer that is back (after a laptop's sleep) answers at once
     await new Promise((done) => setTimeout(done, 2000));
   }
 }
