@@ -218,11 +218,13 @@ test("what was before the edit is not laid over another scene", () =>
     assert.equal(await page.locator("#other").isVisible(), false);
   }));
 
-test("any number of rays fits into a view", () =>
+test("any number of rays fits into a view and into the picture of the lens", () =>
   withPage(async (page) => {
     const target = await page.evaluate(() => {
       const orbit = new Orbit();
       orbit.frame(Array.from({ length: 500000 }, (_, i) => [i % 3, 1, i % 5]));
+      const points = Array.from({ length: 200000 }, () => ({ x: 1, y: 1, k: "camera" }));
+      drawFace(document.createElement("canvas"), { radius: 1, isSquare: true, points });
       return orbit.target;
     });
     assert.deepEqual(target, [1, 1, 2]);

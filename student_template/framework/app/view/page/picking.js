@@ -57,7 +57,9 @@ function lightFaces(data, parent) {
 function drawFace(canvas, { radius, isSquare, points }, isDark) {
   const pen = canvas.getContext("2d");
   const side = canvas.width;
-  const reach = 1.1 * Math.max(radius, 0.02, ...points.map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y))));
+  let furthest = Math.max(radius, 0.02);
+  for (const { x, y } of points) furthest = Math.max(furthest, Math.abs(x), Math.abs(y)); // as in Orbit.frame
+  const reach = 1.1 * furthest;
   const at = (x) => side / 2 * (1 + x / reach);
   const colour = (name) => isDark ? kRayKinds[name].dark : kRayKinds[name].light;
   pen.fillStyle = isDark ? "#14171b" : "#fbfaf7";
