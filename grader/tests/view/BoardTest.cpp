@@ -34,12 +34,6 @@ TEST(Board, LetsAWaitingPageGoWhenSomethingComes) {
     EXPECT_EQ(Json::parse(board.newsAfter(0))["trouble"], "x");
 }
 
-TEST(Board, TellsEverythingToAPageThatKnowsAnEarlierViewer) {
-    Board board;
-    board.set("build", "1");
-    EXPECT_TRUE(Json::parse(board.newsAfter(1000)).contains("build"));
-}
-
 TEST(Board, KeepsThePiecesOfTheNewestPictureThatAreStillSeen) {
     Board board;
     board.beginPicture(1, "{}");

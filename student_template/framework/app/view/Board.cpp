@@ -34,8 +34,6 @@ void Board::addPiece(int number, const Piece& piece) {
 
 std::string Board::newsAfter(std::uint64_t version) {
     std::unique_lock lock{mutex_};
-    // A page of an earlier viewer may have seen more than there is.
-    if (version > version_) version = 0;
     changed_.wait_for(lock, kLongestWait, [&] { return isClosed_ || version_ > version; });
     Members news;
     news.add("version", std::to_string(version_));

@@ -1,7 +1,7 @@
 // Draws a scene and its rays on a canvas. What a drawing holds, as JSON (every point is [x, y, z]):
 //   about     what it shows, one line
-//   spheres   [{name, centre, radius, colour, bumpy}]    planes [{name, point, normal, colour}]
-//   lights    [{name, centre, radius, colour}]           lens   {halfWidth}    focalPlane  z
+//   spheres   [{name, centre, radius, colour}]           planes [{name, point, normal, colour}]
+//   lights    [{name, centre, radius}]                   lens   {halfWidth}    focalPlane  z
 //   rays      [{k, a, b, t, p, l}]: kind, from, to, its words, the index of the ray before it, the light
 //   normals   [{at, smooth, given, expected}]             outlines   [[point, point, ...]]: lines on a surface
 //   words     lines that tell the whole
