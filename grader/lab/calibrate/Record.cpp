@@ -50,22 +50,32 @@ void Record::read() {
     std::map<std::string, std::size_t> units;
     for (std::size_t unit = 0; unit < unitNames_.size(); ++unit)
         units.emplace(unitNames_[unit], unit);
-    std::size_t whole = header().size();
-    for (std::size_t end = text.find('\n', whole); end != std::string::npos;
-         end = text.find('\n', whole)) {
-        const json line = json::parse(text.substr(whole, end - whole), nullptr, false);
-        if (line.is_discarded() || !line.contains("unit") || !line.contains("found")) break;
-        const auto unit = units.find(line["unit"].get<std::string>());
-        if (unit != units.end())
-            found_.insert_or_assign(unit->second,
-                                    Line{line["found"].dump(), line.value("code", Stamp{})});
-        whole = end + 1;
+    std::size_t begin = header().size();
+    int number = 1;
+    for (std::size_t end = text.find('\n', begin); end != std::string::npos;
+         end = text.find('\n', begin)) {
+        auto [name, line] = readLine(text.substr(begin, end - begin), ++number);
+        const auto unit = units.find(name);
+        if (unit != units.end()) found_.insert_or_assign(unit->second, std::move(line));
+        begin = end + 1;
     }
-    if (whole < text.size()) std::filesystem::resize_file(file_, whole);
+    if (begin < text.size()) wholeBytes_ = begin;
+}
+
+std::pair<std::string, Record::Line> Record::readLine(const std::string& text, int number) const {
+    try {
+        const json line = json::parse(text);
+        return {line.at("unit").get<std::string>(),
+                {line.at("found").dump(), line.value("code", Stamp{})}};
+    } catch (const json::exception& error) {
+        throw raytracer::InputError(file_.string(), number,
+                                    std::string{"is no unit of a record: "} + error.what());
+    }
 }
 
 void Record::add(std::size_t unit, const std::string& found, const Stamp& stamp) {
     const std::lock_guard lock{mutex_};
+    if (wholeBytes_) std::filesystem::resize_file(file_, *std::exchange(wholeBytes_, {}));
     const bool first = !std::filesystem::exists(file_);
     const Line line{found, stamp};
     append(file_, (first ? header() : "") + lineOf(unit, line));

@@ -7,20 +7,24 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ticker::calibrate {
 
 /// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that names the
 /// campaign, then one line for each unit in the order of finishing, with the code that it belongs
-/// to. Lines are only added, and the last line of a unit counts; a line that was cut short by a
-/// kill is dropped when the file is opened again. Units are identified by name; units that the
+/// to. Lines are only added, and the last line of a unit counts; a last line that was cut short by
+/// a kill is not read, and goes with the next `add`. Units are identified by name; units that the
 /// campaign no longer has are ignored.
 class Record {
 public:
-    /// Reads the existing record. The first `add` creates the folder and the file if necessary.
-    /// @throws raytracer::InputError if the file belongs to another campaign, or cannot be read.
+    /// Reads the existing record, and writes nothing. The first `add` creates the folder and the
+    /// file if necessary.
+    /// @throws raytracer::InputError if the file belongs to another campaign, or a line of it
+    ///         cannot be read.
     Record(const std::filesystem::path& folder, const Campaign& campaign);
 
     /// Writes one line. Several threads may call it.
@@ -53,11 +57,14 @@ private:
     [[nodiscard]] std::string header() const;
     [[nodiscard]] std::string lineOf(std::size_t unit, const Line& line) const;
     void read();
+    /// The name of the unit, and what was found.
+    [[nodiscard]] std::pair<std::string, Line> readLine(const std::string& text, int number) const;
 
     std::filesystem::path file_;
     std::string name_;
     std::vector<std::string> unitNames_;
     std::map<std::size_t, Line> found_;
+    std::optional<std::size_t> wholeBytes_;  // of the file, if its last line was cut short
     std::mutex mutex_;
 };
 

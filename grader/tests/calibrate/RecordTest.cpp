@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace ticker::calibrate {
 namespace {
@@ -42,6 +43,40 @@ TEST(Record, DropsALineThatWasCutShort) {
     }
     EXPECT_EQ(Record(folder.path(), campaign).all(),
               (std::vector<std::string>{R"({"a":0})", R"({"a":2})"}));
+}
+
+TEST(Record, IsNotChangedByReading) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{5};
+    const std::filesystem::path file = folder.path() / "counting.jsonl";
+    Record{folder.path(), campaign}.add(0, R"({"a":0})");
+    std::ofstream{file, std::ios::app} << R"({"unit":"number 1","fou)";
+    const auto size = std::filesystem::file_size(file);
+    EXPECT_EQ(Record(folder.path(), campaign).size(), 1U);
+    EXPECT_EQ(std::filesystem::file_size(file), size);
+}
+
+// Hours of work follow a bad line: an editor's slip must not drop them.
+TEST(Record, NamesAWholeLineThatCannotBeRead) {
+    for (const char* bad : {"{\"unit\"", "7", R"({"unit":1,"found":2})", R"({"unit":"number 1"})",
+                            R"({"unit":"number 1","found":1,"code":2})", ""}) {
+        const tests::TemporaryFolder folder;
+        const CountingCampaign campaign{5};
+        const std::filesystem::path file = folder.path() / "counting.jsonl";
+        Record{folder.path(), campaign}.add(0, R"({"a":0})");
+        std::ofstream{file, std::ios::app} << bad << '\n'
+                                           << R"({"unit":"number 2","found":2})" << '\n';
+        const auto size = std::filesystem::file_size(file);
+        try {
+            const Record record{folder.path(), campaign};
+            FAIL() << bad;
+        } catch (const raytracer::InputError& error) {
+            EXPECT_NE(std::string{error.what()}.find("counting.jsonl:3: is no unit"),
+                      std::string::npos)
+                << error.what();
+        }
+        EXPECT_EQ(std::filesystem::file_size(file), size) << bad;
+    }
 }
 
 // A second name of the earlier file keeps its bytes only if no one writes into that file.
