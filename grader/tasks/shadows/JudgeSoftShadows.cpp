@@ -9,7 +9,9 @@
 #include <grader/tasks/support/Plots.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -152,9 +154,10 @@ Result otherSettings(ShadowSeen& seen) {
     return seen.reading ? checkOtherSettings(seen.logs, seen.aims) : std::nullopt;
 }
 
-/// A new check of T2.1: a row here with its function, and a row in ShadowFindings.h.
-const std::vector<ShadowCheck>& checksOfRays() {
-    static const std::vector<ShadowCheck> kChecks{
+/// Where the rays start and where they aim. A new check of T2.1: a row here or in checksOfColours
+/// with its function, and a row in ShadowFindings.h.
+std::vector<ShadowCheck> checksOfAims() {
+    return std::vector<ShadowCheck>{
         // These rays go elsewhere than to the light; the other checks do not apply to them.
         {.run = [](ShadowSeen& seen) { return checkBackwards(seen.logs); }, .hides = {Hides{}}},
         {.run = fixedSamples},
@@ -175,11 +178,15 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = failingShape, .hides = {{nullptr, &kShadowBeyondLight}}},
         // Copies of a few rays look crowded in every shape.
         {.run = crowding, .after = {{rayCounts}, {fixedSamples}}},
-        {.run =
-             [](ShadowSeen& seen) {
-                 return seen.aims.shapeIsRight() ? checkSeveralSizes(seen.logs, seen.aims)
-                                                 : std::nullopt;
-             }},
+        {.run = [](ShadowSeen& seen) {
+            return seen.aims.shapeIsRight() ? checkSeveralSizes(seen.logs, seen.aims)
+                                            : std::nullopt;
+        }}};
+}
+
+/// What the rays do to the colours, and further questions for code that answers these well.
+std::vector<ShadowCheck> checksOfColours() {
+    return std::vector<ShadowCheck>{
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkArithmetic(seen.logs)); }},
         {.run = [](ShadowSeen& seen) { return checkColourChannels(seen.logs); },
          .ifNothingFails = true},
@@ -199,6 +206,14 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = manyRays<true>, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true},
         {.run = mixedNear, .ifNothingFails = true}};
+}
+
+const std::vector<ShadowCheck>& checksOfRays() {
+    static const std::vector<ShadowCheck> kChecks = [] {
+        std::vector<ShadowCheck> checks = checksOfAims();
+        std::ranges::move(checksOfColours(), std::back_inserter(checks));
+        return checks;
+    }();
     return kChecks;
 }
 

@@ -2,6 +2,7 @@
 #include <grader/tasks/lens/answers/LensPlots.h>
 #include <grader/tasks/lens/answers/LensShape.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
+#include <grader/tasks/lens/checks/LensLines.h>
 #include <grader/tasks/support/Bounds.h>
 #include <grader/tasks/support/FindingOrder.h>
 
@@ -9,87 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
-
-// Whether the rays of some pixel start on one row or column of the lens, or in one corner. The
-// range of fifty independent points is below half of the lens with a chance below 1e-12 (see
-// rangeShortfall).
-bool usesPartOfLens(const LensLog& log, const Lens& lens) {
-    constexpr std::size_t kEnough = 50;
-    for (const LensPixel& pixel : log.pixels) {
-        if (pixel.rays.size() < kEnough) continue;
-        const auto rangeOf = [&](double Vector3::*axis) {
-            const auto [low, high] = std::minmax_element(pixel.rays.begin(), pixel.rays.end(),
-                                                         [&](const LensRay& a, const LensRay& b) {
-                                                             return a.origin.*axis < b.origin.*axis;
-                                                         });
-            return high->origin.*axis - low->origin.*axis;
-        };
-        if (rangeOf(&Vector3::x) < 0.5 * (lens.high.x - lens.low.x) ||
-            rangeOf(&Vector3::y) < 0.5 * (lens.high.y - lens.low.y))
-            return true;
-    }
-    return false;
-}
-
-// The chance that ten independent points of a square lie on one straight line, within a thousandth
-// of its half-width, is below 1e-20.
-constexpr std::size_t kEnoughForLine = 10;
-
-template <typename Points, typename PointOf = std::identity>
-bool areOnLine(const Points& points, double halfWidth, PointOf pointOf = {}) {
-    constexpr double kWidth = 1e-3;
-    const Vector3 from = std::invoke(pointOf, points.front());
-    const auto lengthTo = [&](const Vector3& point) { return (point - from).magnitude(); };
-    const Vector3 farthest =
-        std::invoke(pointOf, *std::ranges::max_element(points, {}, [&](const auto& point) {
-                        return lengthTo(std::invoke(pointOf, point));
-                    }));
-    if (lengthTo(farthest) < halfWidth) return false;
-    const Vector3 along = (farthest - from).normalised();
-    return std::ranges::all_of(points, [&](const auto& point) {
-        return along.cross(std::invoke(pointOf, point) - from).magnitude() < kWidth * halfWidth;
-    });
-}
-
-bool isLine(const Lens& lens) {
-    return lens.distinct >= kEnoughForLine && areOnLine(lens.points, lens.halfWidth());
-}
-
-// Whether the points of some pixels lie on one line each, while those of all pixels fill a square.
-// That happens if both coordinates come from one hash with x and y exchanged: they are equal where
-// the pixel's x equals its y. One or two degenerate pixels, such as (0, 0) of a hash, are not
-// visible and do not count.
-bool haveLines(const LensLog& log, const Lens& lens) {
-    constexpr std::ptrdiff_t kEnough = 3;
-    const auto pixels = std::ranges::count_if(log.pixels, [&](const LensPixel& pixel) {
-        return pixel.rays.size() >= kEnoughForLine &&
-               areOnLine(pixel.rays, lens.halfWidth(), &LensRay::origin);
-    });
-    return pixels >= kEnough * log.asked->repetitions;
-}
-
-// Whether more than half of all points lie within a small part of the range along each axis, so
-// that the width comes from a few outliers.
-bool crowdInTheMiddle(const Lens& lens) {
-    constexpr double kSmallPart = 0.3;
-    const Vector3 centre = lens.centre();
-    const auto crowdAlong = [&](double Vector3::*axis) {
-        const auto inside =
-            std::count_if(lens.points.begin(), lens.points.end(), [&](const Vector3& point) {
-                return std::abs(point.*axis - centre.*axis) < kSmallPart * lens.halfWidth();
-            });
-        return 2 * static_cast<std::size_t>(inside) > lens.points.size();
-    };
-    return crowdAlong(&Vector3::x) && crowdAlong(&Vector3::y);
-}
 
 // Whether the mean of the points is off the eye. The middle of their range is more sensitive for an
 // even square, but unreliable for crowded points, whose range depends on outliers. Hoeffding's
@@ -171,6 +97,58 @@ std::optional<Finding> startsInPlane(const Lens& lens) {
     return finding;
 }
 
+std::optional<Finding> offCentre(const Lens& lens, const ShapeVerdict& shape, double shortfall) {
+    const Vector3 centre = lens.centre();
+    const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
+    const bool isAside = aside > 2.0 * shortfall * lens.halfWidth() + 1e-7;
+    if (!isAside || !(shape.square || leansAside(lens))) return std::nullopt;
+    return distributedFinding(
+        kDofOffCentre, Severity::fail,
+        fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
+                    "{:.3f}).",
+                    centre.x, centre.y));
+}
+
+std::optional<Finding> notASquare(const Lens& lens, const ShapeVerdict& shape) {
+    const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
+    if (depth > 1e-6)
+        return distributedFinding(
+            kDofDisc, Severity::fail,
+            fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
+                        "front of it or behind it.",
+                        depth));
+    if (shape.square) return std::nullopt;
+    Finding finding = distributedFinding(
+        kDofDisc, Severity::fail,
+        fmt::format("An evenly filled square was expected; the starting points, up to {:.3g} "
+                    "from its centre in x and {:.3g} in y, form another shape ({:.1f} % of "
+                    "them outside of the inscribed disc, 21.5 % expected).",
+                    0.5 * (lens.high.x - lens.low.x), 0.5 * (lens.high.y - lens.low.y),
+                    100.0 * shape.cornerShare));
+    finding.hint += hintOfSides(lens.high.x - lens.low.x, lens.high.y - lens.low.y);
+    return finding;
+}
+
+std::optional<Finding> ofAnotherSize(const Lens& lens, double amount, double factor) {
+    if (factor != 0.0) return std::nullopt;
+    return distributedFinding(
+        kDofApertureSize, Severity::fail,
+        fmt::format("A square of half-width {:.3g} (or {:.3g}) was expected; its half-width is "
+                    "{:.3g}.",
+                    amount, 0.5 * amount, lens.halfWidth()));
+}
+
+void addEvidence(Finding& finding, const LensLog& log, const Lens& lens,
+                 const ShapeVerdict& shape) {
+    const Vector3 centre = lens.centre();
+    finding.evidence.emplace_back("halfWidth", lens.halfWidth());
+    finding.evidence.emplace_back("centre", std::vector<double>{centre.x, centre.y});
+    finding.evidence.emplace_back("shareInCorners", shape.cornerShare);
+    finding.evidence.emplace_back("largestGap", shape.gap);
+    finding.evidence.emplace_back("points", static_cast<double>(lens.points.size()));
+    finding.plots.push_back(plotLens(log));
+}
+
 }  // namespace
 
 ApertureVerdict checkAperture(const LensLog& log) {
@@ -178,75 +156,18 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const Lens lens = lensOf(log);
     if (lens.points.size() < 3) return verdict;
     const double amount = log.asked->settings.dofAmount;
-    const double half = lens.halfWidth();
-    const Vector3 centre = lens.centre();
     const double shortfall = rangeShortfall(lens.distinct);
     const ShapeVerdict shape = judgeShape(lens);
-    const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
-    const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
-    if (std::optional<Finding> elsewhere = startsInPlane(lens)) {
-        verdict.finding = std::move(elsewhere);
-    } else if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
-        verdict.finding = distributedFinding(
-            kDofDisc, Severity::fail,
-            "The rays of each pixel were expected to start all over the aperture; those of one "
-            "pixel start in a part of it, on a line perhaps.");
-    } else if (isLine(lens)) {
-        verdict.finding = distributedFinding(
-            kDofDisc, Severity::fail,
-            "The rays were expected to start all over a square; all of them start on one straight "
-            "line.");
-        verdict.finding->hint +=
-            " Draw a number of its own for y: one that is computed from that "
-            "of x stays on a line.";
-    } else if (haveLines(log, lens)) {
-        verdict.finding = distributedFinding(
-            kDofDisc, Severity::fail,
-            "The rays of each pixel were expected to start all over a square; those of some pixels "
-            "start on a straight line.");
-        verdict.finding->hint +=
-            " The numbers for x and y are the same in some pixels, those with equal x and y "
-            "perhaps: draw two numbers that do not depend on each other.";
-    } else if (std::optional<Finding> grid = gridAside(log)) {
-        verdict.finding = std::move(grid);
-    } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {
-        verdict.finding = distributedFinding(
-            kDofOffCentre, Severity::fail,
-            fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
-                        "{:.3f}).",
-                        centre.x, centre.y));
-    } else if (depth > 1e-6) {
-        verdict.finding = distributedFinding(
-            kDofDisc, Severity::fail,
-            fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
-                        "front of it or behind it.",
-                        depth));
-    } else if (!shape.square) {
-        verdict.finding = distributedFinding(
-            kDofDisc, Severity::fail,
-            fmt::format("An evenly filled square was expected; the starting points, up to {:.3g} "
-                        "from its centre in x and {:.3g} in y, form another shape ({:.1f} % of "
-                        "them outside of the inscribed disc, 21.5 % expected).",
-                        0.5 * (lens.high.x - lens.low.x), 0.5 * (lens.high.y - lens.low.y),
-                        100.0 * shape.cornerShare));
-        verdict.finding->hint += hintOfSides(lens.high.x - lens.low.x, lens.high.y - lens.low.y);
-    } else if (factor == 0.0) {
-        verdict.finding = distributedFinding(
-            kDofApertureSize, Severity::fail,
-            fmt::format("A square of half-width {:.3g} (or {:.3g}) was expected; its half-width is "
-                        "{:.3g}.",
-                        amount, 0.5 * amount, half));
-    }
+    // The first of these faults explains those after it.
+    verdict.finding = startsInPlane(lens);
+    if (!verdict.finding) verdict.finding = checkLines(log, lens, shape);
+    if (!verdict.finding) verdict.finding = gridAside(log);
+    if (!verdict.finding) verdict.finding = offCentre(lens, shape, shortfall);
+    if (!verdict.finding) verdict.finding = notASquare(lens, shape);
+    if (!verdict.finding) verdict.finding = ofAnotherSize(lens, amount, factor);
     if (factor != 0.0) verdict.factor = factor;
-    if (verdict.finding) {
-        verdict.finding->evidence.emplace_back("halfWidth", half);
-        verdict.finding->evidence.emplace_back("centre", std::vector<double>{centre.x, centre.y});
-        verdict.finding->evidence.emplace_back("shareInCorners", shape.cornerShare);
-        verdict.finding->evidence.emplace_back("largestGap", shape.gap);
-        verdict.finding->evidence.emplace_back("points", static_cast<double>(lens.points.size()));
-        verdict.finding->plots.push_back(plotLens(log));
-    }
+    if (verdict.finding) addEvidence(*verdict.finding, log, lens, shape);
     return verdict;
 }
 

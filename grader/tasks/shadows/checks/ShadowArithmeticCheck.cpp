@@ -84,54 +84,56 @@ bool aimBesideTheLight(const Logs& logs) {
     });
 }
 
+// An object behind the light.
+std::optional<Finding> checkBeyondLight(const Logs& logs, const ShadowReading& reading) {
+    if (allFit(logs, reading, ShadowArithmetic::right)) return std::nullopt;
+    if (!allFit(logs, reading, ShadowArithmetic::endless) &&
+        (!onlyDarker(logs) || aimBesideTheLight(logs)))
+        return unexplainedShadows(logs);
+    Finding finding = distributedFinding(
+        kShadowBeyondLight, Severity::fail,
+        "A point in plain sight of the light was expected to be lit; an object behind the "
+        "light casts a shadow on it.");
+    addWorstPoint(logs, finding);
+    return finding;
+}
+
+std::optional<Finding> checkSeveralLights(const Logs& logs, const ShadowReading& reading) {
+    if (allFit(logs, reading, ShadowArithmetic::right)) return std::nullopt;
+    Finding finding =
+        allFit(logs, reading, ShadowArithmetic::ambientForEachLight)
+            ? ambientForEachLight()
+            : distributedFinding(
+                  kShadowLightsMixed, Severity::fail,
+                  "With one light the colours are right; with several lights each was expected to "
+                  "add its own light scaled by its own share, and what comes out is something "
+                  "else.");
+    addWorstPoint(logs, finding);
+    return finding;
+}
+
 // Checks what can be wrong by itself: several lights, a light with an object behind it or just
 // before it, a wall.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
-    if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
-        Finding finding = distributedFinding(
-            kShadowBeyondLight, Severity::fail,
-            "A point in plain sight of the light was expected to be lit; an object behind the "
-            "light casts a shadow on it.");
-        addWorstPoint(logs.beyondLight, finding);
-        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless) ||
-            (onlyDarker(logs.beyondLight) && !aimBesideTheLight(logs.beyondLight)))
-            return finding;
-        return unexplainedShadows(logs.beyondLight);
-    }
+    const auto fits = [&](const Logs& asked) {
+        return allFit(asked, reading, ShadowArithmetic::right);
+    };
+    const auto withWorst = [](Finding finding, const Logs& asked) {
+        addWorstPoint(asked, finding);
+        return finding;
+    };
+    if (auto beyond = checkBeyondLight(logs.beyondLight, reading)) return beyond;
     // Before the check of several lights, which would report the same highlights as mixed lights.
-    if (!allFit(logs.lowLight, reading, ShadowArithmetic::right)) {
+    if (!fits(logs.lowLight)) {
         const auto highlight = highlightOfLowLight(logs.lowLight);
         return highlight ? highlight : unexplainedShadows(logs.lowLight);
     }
-    if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
-        Finding finding = distributedFinding(
-            kShadowLightsMixed, Severity::fail,
-            "With one light the colours are right; with several lights each was expected to add "
-            "its "
-            "own light scaled by its own share, and what comes out is something else.");
-        if (allFit(logs.severalLights, reading, ShadowArithmetic::ambientForEachLight))
-            finding = ambientForEachLight();
-        addWorstPoint(logs.severalLights, finding);
-        return finding;
-    }
-    if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
-        Finding finding = planesCastNothing();
-        addWorstPoint(logs.planeShadow, finding);
-        return finding;
-    }
-    if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
-    if (!allFit(logs.nearLight, reading, ShadowArithmetic::right)) {
-        Finding finding = nearLightMissed();
-        addWorstPoint(logs.nearLight, finding);
-        return finding;
-    }
-    if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
-        return unexplainedShadows(logs.farLight);
-    if (!allFit(logs.pureColours, reading, ShadowArithmetic::right)) {
-        Finding finding = channelsLost();
-        addWorstPoint(logs.pureColours, finding);
-        return finding;
-    }
+    if (auto several = checkSeveralLights(logs.severalLights, reading)) return several;
+    if (!fits(logs.planeShadow)) return withWorst(planesCastNothing(), logs.planeShadow);
+    if (!fits(logs.lightBehind)) return lightsLostBehind();
+    if (!fits(logs.nearLight)) return withWorst(nearLightMissed(), logs.nearLight);
+    if (!fits(logs.farLight)) return unexplainedShadows(logs.farLight);
+    if (!fits(logs.pureColours)) return withWorst(channelsLost(), logs.pureColours);
     return std::nullopt;
 }
 
