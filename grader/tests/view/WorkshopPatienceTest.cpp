@@ -47,6 +47,7 @@ TEST(WorkshopPatience, CallsABuildThatIsStoppedNoErrorOfTheCompiler) {
     int unchanged = 0;
     const Json build = stoppedIn(kit, "build", {[] {}, [] {}, [&] { ++unchanged; }});
     EXPECT_EQ(build["state"], "stopped");
+    EXPECT_EQ(build["after"], "2 minutes");
     EXPECT_EQ(unchanged, 1);
 }
 

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOutput = 20'000;  // shown
 constexpr std::size_t kMostKept = 10 * kMostOutput;
 constexpr int kMostLooksWithoutAFile = 20;  // a second
-constexpr std::string_view kEndless = "was stopped after 2 minutes: look for a loop without end";
 
 /// The first error is near the beginning, a crash at the end.
 void keep(std::string& output, std::string_view bytes) {
@@ -39,6 +38,10 @@ std::string lineOf(const fs::path& file, int number) {
     const std::vector<std::string> lines = splitAt(textOf(file), '\n');
     const auto index = static_cast<std::size_t>(number) - 1;
     return number > 0 && index < lines.size() ? lines[index] : std::string{};
+}
+
+std::string limitInWords() {
+    return std::to_string(kLongestBuild.count()) + " minutes";
 }
 
 Members state(std::string_view name) {
@@ -177,7 +180,8 @@ Workshop::Outcome Workshop::run(const std::vector<std::string>& command,
 
 void Workshop::tellOfFailure(const std::string& entry, std::string_view failed,
                              const Outcome& built) {
-    if (built.isStopped) return board_.set(entry, state("stopped").object());
+    if (built.isStopped)
+        return board_.set(entry, state("stopped").add("after", json(limitInWords())).object());
     Members members = state(failed);
     const auto error = firstErrorIn(built.output);
     if (error) {
@@ -217,7 +221,10 @@ TestOutcome Workshop::ask(const std::set<std::string>& tasks) {
         // 1: a test failed, and said so.
         const bool isWhole = ran.status == 0 || (ran.status == 1 && reader.outcome().hasFailed);
         if (!isWhole)
-            reader.addEarlyEnd(task, ran.isStopped ? kEndless : "ended too early",
+            reader.addEarlyEnd(task,
+                               ran.isStopped ? "was stopped after " + limitInWords() +
+                                                   ": look for a loop without end"
+                                             : "ended too early",
                                endOf(ran.output));
     }
     return reader.outcome();

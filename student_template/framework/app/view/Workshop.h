@@ -22,6 +22,9 @@
 
 namespace raytracer::view {
 
+/// How long a build, or the tests of a task, may take.
+inline constexpr std::chrono::minutes kLongestBuild{2};
+
 /// Watches the exercise's files. When one is saved, it builds, says so, and runs the public tests
 /// of that file's tasks; a save meanwhile begins again.
 class Workshop {
@@ -33,9 +36,9 @@ public:
         std::function<void()> onUnchanged;  ///< the build failed or linked nothing new
     };
 
-    /// @param patience  How long a build, or the tests of a task, may take.
+    /// @param patience  In place of `kLongestBuild`, which is what a person is told.
     Workshop(const ViewHome& home, Board& board, Listener listener,
-             std::chrono::milliseconds patience = std::chrono::minutes{2});
+             std::chrono::milliseconds patience = kLongestBuild);
     ~Workshop();
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;

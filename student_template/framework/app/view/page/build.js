@@ -1,5 +1,5 @@
 // What a save led to: the build, and the public tests. Comes before view.js, whose helpers it needs.
-const stopped = "took more than 2 minutes and was stopped; build once in a terminal: ./check";
+const stopped = ({ after }) => `took more than ${after} and was stopped; build once in a terminal: ./check`;
 
 function verdict(words, isBad) {
   return element("p", { className: `verdict ${isBad ? "bad" : ""}`, textContent: words });
@@ -16,7 +16,7 @@ function errorParts({ file, line, message, source, all }) {
 }
 
 function showBuild(build) {
-  const words = { building: "Building ...", built: "Built.", stopped: `The build ${stopped}`,
+  const words = { building: "Building ...", built: "Built.", stopped: `The build ${stopped(build)}`,
     failed: "It does not compile. The picture is that of the last program." };
   const isBad = ["failed", "stopped"].includes(build.state);
   byId("build").replaceChildren(verdict(words[build.state], isBad), ...(build.state === "failed" ? errorParts(build) : []));
@@ -26,7 +26,7 @@ function showTests(tests) {
   if (tests.state === "unasked") return byId("tests").replaceChildren(); // the code is not built
   const words = { running: "The public tests run ...", passed: "The public tests:", none: "No public tests: install GoogleTest.",
     failed: `Not yet: ${tests.title}`, unbuilt: "Your code is built, but the public tests are not:",
-    stopped: `Your code is built, but the public tests are not: their build ${stopped}` };
+    stopped: `Your code is built, but the public tests are not: their build ${stopped(tests)}` };
   const parts = [verdict(words[tests.state], ["failed", "unbuilt", "stopped"].includes(tests.state))];
   if (tests.state === "unbuilt") parts.push(...errorParts(tests));
   if (tests.text) parts.push(element("pre", { textContent: tests.text.trimEnd(), tabIndex: 0 }));
