@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -63,6 +65,22 @@ inline constexpr const char* kBallOverFloor = R"(<scene>
   <sphere x="0" y="0" z="4" radius="1" colour="#ff0000"/>
   <plane x="0" y="-1" z="0" nx="0" ny="1" nz="0" colour="#00ff00"/>
 </scene>)";
+
+/// While it lives, the system gives this program no file and no pipe.
+class NoFiles {
+public:
+    NoFiles() {
+        getrlimit(RLIMIT_NOFILE, &before_);
+        const rlimit none{0, before_.rlim_max};
+        setrlimit(RLIMIT_NOFILE, &none);
+    }
+    ~NoFiles() { setrlimit(RLIMIT_NOFILE, &before_); }
+    NoFiles(const NoFiles&) = delete;
+    NoFiles& operator=(const NoFiles&) = delete;
+
+private:
+    rlimit before_{};
+};
 
 /// Waits until the board's entries are as wanted and gives them; null where nothing more comes.
 template <typename IsWanted>

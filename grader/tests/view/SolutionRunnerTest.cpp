@@ -78,6 +78,20 @@ TEST(SolutionRunner, SaysThatTheSolutionCrashedAndStartsItAgain) {
     EXPECT_EQ(troubles, std::vector<std::string>{endInWords(139)});
 }
 
+TEST(SolutionRunner, SaysThatTheSystemGivesNoProcessAndGoesOn) {
+    const FakeKit kit;
+    std::vector<std::string> troubles;
+    SolutionRunner runner{kit.home().program, troubleIn(troubles)};
+    const std::string words = "Your code could not be started: the system gives no pipe.";
+    {
+        const NoFiles none;
+        EXPECT_EQ(runner.ask("pixel", {}).payload, words);
+        runner.render(1, {});
+    }
+    EXPECT_EQ(troubles, std::vector<std::string>{words});
+    EXPECT_EQ(runner.ask("pixel", {}).payload, "pixel\t1000001");
+}
+
 TEST(SolutionRunner, EndsASolutionThatPrintsWhatIsNoAnswer) {
     for (const char* output :
          {"echo one two three four; exec cat", "echo drawing 1000001; exec cat",
@@ -148,6 +162,7 @@ TEST(SolutionRunner, AsksToAskAgainWhereABuildCameBetween) {
     std::jthread asking{[&] { answer = runner.ask("pixel", {}); }};
     isAsked.get_future().wait();
     runner.restart();
+    runner.render(2, {});  // the next process runs before the question is looked after
     asking.join();
     EXPECT_FALSE(answer.isGood);
     EXPECT_EQ(answer.payload, "Your code was just built again: ask once more.");

@@ -197,6 +197,18 @@ TEST(Workshop, ForgetsTheTestsOfCodeThatNoLongerCompiles) {
     EXPECT_EQ(Json::parse(board.newsAfter(0))["tests"]["state"], "unasked");
 }
 
+TEST(Workshop, SaysThatTheSystemGivesNoProcess) {
+    const FakeKit kit;
+    Board board;
+    const NoFiles none;
+    const Workshop workshop{kit.home(), board, nobody()};
+    const Json all = waitFor(board, [](const Json& news) {
+        return news.contains("build") && news["build"]["state"] == "failed";
+    });
+    ASSERT_FALSE(all.is_null());
+    EXPECT_EQ(all["build"]["all"], "the system gives no pipe");
+}
+
 TEST(Workshop, SaysThatThereAreNoTests) {
     FakeKit kit;
     kit.home().testTarget.clear();

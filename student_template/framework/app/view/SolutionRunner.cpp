@@ -5,6 +5,7 @@
 
 #include <raytracer/base/Text.h>
 
+#include <exception>
 #include <utility>
 
 namespace raytracer::view {
@@ -42,7 +43,7 @@ SolutionRunner::~SolutionRunner() {
 void SolutionRunner::render(int number, const std::vector<std::string>& options) {
     const std::lock_guard lock{starting_};
     if (number < lastPicture_) return;  // another thread was faster
-    start();
+    if (!start()) return listener_.onTrouble(noProcess_);
     {
         const std::lock_guard waiting{mutex_};
         waitingSince_ = Clock::now();
@@ -56,29 +57,28 @@ SolutionRunner::Answer SolutionRunner::ask(const std::string& verb,
     int number = 0;
     {
         const std::lock_guard lock{starting_};
-        start();
+        if (!start()) return {false, noProcess_};
         {
             const std::lock_guard counting{mutex_};
             number = ++lastQuestion_;
-            answers_[number] = std::nullopt;
+            answers_[number] = isRunning_ ? std::nullopt : std::optional{unanswered()};
         }
         send(verb, number, arguments);
     }
     std::unique_lock lock{mutex_};
-    answered_.wait_for(lock, patience_,
-                       [&] { return answers_[number].has_value() || !isRunning_; });
+    answered_.wait_for(lock, patience_, [&] { return answers_[number].has_value(); });
     const std::optional<Answer> answer = answers_[number];
     answers_.erase(number);
-    const bool isStuck = !answer && isRunning_;
-    const bool wasEnded = isStopping_;
-    const bool wasStarted = lastStatus_ != kNotFound;
     lock.unlock();
-    if (isStuck) restart();
     if (answer) return *answer;
-    if (isStuck) return {false, kNoEnd};
-    if (!wasEnded && !wasStarted) return {false, kNotStarted};
-    return {false, wasEnded ? "Your code was just built again: ask once more."
-                            : "Your code crashed at this question."};
+    restart();
+    return {false, kNoEnd};
+}
+
+/// What a question hears whose process has ended.
+SolutionRunner::Answer SolutionRunner::unanswered() const {
+    if (isStopping_) return {false, "Your code was just built again: ask once more."};
+    return {false, lastStatus_ == kNotFound ? kNotStarted : "Your code crashed at this question."};
 }
 
 void SolutionRunner::restart() {
@@ -96,21 +96,31 @@ void SolutionRunner::look() {
     listener_.onTrouble(kNoEnd);
 }
 
-void SolutionRunner::start() {
+bool SolutionRunner::start() {
     {
         const std::lock_guard lock{mutex_};
-        if (isRunning_) return;
+        if (isRunning_) return true;
     }
     stop();
-    process_ = std::make_unique<Process>(
-        std::vector<std::string>{program_.string(), std::string{kWorkerArgument}},
-        Process::Errors::toOurs);
-    {
-        const std::lock_guard lock{mutex_};
-        isRunning_ = true;
-        isStopping_ = false;
+    try {
+        process_ = std::make_unique<Process>(
+            std::vector<std::string>{program_.string(), std::string{kWorkerArgument}},
+            Process::Errors::toOurs);
+        setRunning(true);
+        reader_ = std::thread{[this, process = process_.get()] { listen(*process); }};
+    } catch (const std::exception& error) {
+        setRunning(false);
+        process_.reset();
+        noProcess_ = std::string{"Your code could not be started: "} + error.what() + ".";
+        return false;
     }
-    reader_ = std::thread{[this, process = process_.get()] { listen(*process); }};
+    return true;
+}
+
+void SolutionRunner::setRunning(bool isRunning) {
+    const std::lock_guard lock{mutex_};
+    isRunning_ = isRunning;
+    isStopping_ = false;
 }
 
 void SolutionRunner::stop() {
@@ -168,6 +178,9 @@ void SolutionRunner::tellOfEnd(int status) {
         lastStatus_ = status;
         isUnexpected = !isStopping_;
         waitingSince_.reset();
+        // Those who wait may look only when the next process runs.
+        for (auto& [number, answer] : answers_)
+            if (!answer) answer = unanswered();
         answered_.notify_all();
     }
     if (!isUnexpected) return;

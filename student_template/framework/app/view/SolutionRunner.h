@@ -24,7 +24,7 @@ namespace raytracer::view {
 /// it does not answer.
 class SolutionRunner {
 public:
-    /// Called on a thread of the runner's.
+    /// Called on a thread of the runner's, or on that which asks for a picture.
     struct Listener {
         std::function<void(int number, const std::string& payload)> onPart;
         std::function<void(const std::string& words)> onTrouble;
@@ -55,12 +55,15 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void start();
+    /// False if the system gives no process: `noProcess_` says why.
+    [[nodiscard]] bool start();
+    void setRunning(bool isRunning);
     void stop();
     void listen(Process& process);
     void hear(const std::string& kind, int number, const std::string& payload);
     void send(const std::string& verb, int number, const std::vector<std::string>& arguments);
     void tellOfEnd(int status);
+    [[nodiscard]] Answer unanswered() const;
 
     std::filesystem::path program_;
     Listener listener_;
@@ -68,6 +71,7 @@ private:
     std::mutex starting_;  // taken before mutex_
     std::unique_ptr<Process> process_;
     std::thread reader_;
+    std::string noProcess_;
     int lastPicture_ = 0;  // written under both mutexes
     std::mutex mutex_;
     std::condition_variable answered_;

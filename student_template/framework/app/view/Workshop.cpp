@@ -3,10 +3,13 @@
 #include "Json.h"
 #include "Lines.h"
 
+#include <raytracer/base/Error.h>
+
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -157,21 +160,26 @@ Workshop::Outcome Workshop::build(const std::string& target) {
 
 Workshop::Outcome Workshop::run(const std::vector<std::string>& command,
                                 const std::function<void(std::string_view)>& hear) {
-    Process process{command, Process::Errors::withItsOutput};
+    std::optional<Process> process;
+    try {
+        process.emplace(command, Process::Errors::withItsOutput);
+    } catch (const Error& error) {
+        return {error.what(), kNotFound};
+    }
     {
         const std::lock_guard lock{mutex_};
-        running_ = &process;
+        running_ = &*process;
         deadline_ = Clock::now() + patience_;
         isTooLate_ = false;
-        if (isAsked_ || isEnding_) process.kill();
+        if (isAsked_ || isEnding_) process->kill();
     }
     Outcome outcome;
     std::array<char, 4096> bytes{};
-    while (const std::size_t got = process.read(bytes.data(), bytes.size())) {
+    while (const std::size_t got = process->read(bytes.data(), bytes.size())) {
         hear({bytes.data(), got});
         keep(outcome.output, {bytes.data(), got});
     }
-    outcome.status = process.wait();
+    outcome.status = process->wait();
     const std::lock_guard lock{mutex_};
     running_ = nullptr;
     outcome.isStopped = isTooLate_ && outcome.status != 0;
