@@ -1,9 +1,11 @@
 #include <grader/base/MakeFolder.h>
 #include <grader/cli/ClassRun.h>
 #include <grader/cli/Output.h>
+#include <grader/report/Escape.h>
 #include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
 #include <grader/store/ClassFolder.h>
+#include <grader/store/Earlier.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -133,13 +135,15 @@ std::optional<SubmissionResult> ClassRun::known(const std::string& submission,
 }
 
 void ClassRun::write(const SubmissionResult& result) const {
-    writeSubmission(out_, result);
+    if (!store::keepsBefore(out_, result)) writeSubmission(out_, result);
 }
 
-void ClassRun::index(const SubmissionResult& result, bool isKept) {
-    if (!store_) return;
-    if (isKept && store::isKnown(store_->find(result.submission), result)) return;
-    store_->put(result, store::utcNow());
+Stored ClassRun::index(const SubmissionResult& result, bool isKept) {
+    if (!isKept && store::keepsBefore(out_, result)) return Stored::before;
+    const bool isKnown =
+        isKept && store_ && store::isKnown(store_->find(result.submission), result);
+    if (store_ && !isKnown) store_->put(result, store::utcNow());
+    return isKept ? Stored::kept : Stored::fresh;
 }
 
 std::size_t RunCounts::all() const {
@@ -156,6 +160,21 @@ std::string closingLine(const RunCounts& counts) {
     if (counts.kept > 0)
         line += fmt::format("\n{} kept from before: their inputs have not changed", counts.kept);
     return line;
+}
+
+std::string notAnewLine(const RunCounts& counts) {
+    if (counts.notAnew.empty()) return {};
+    constexpr std::size_t kMostNames = 10;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(counts.notAnew.size(), kMostNames); ++i)
+        names += (i == 0 ? "" : ", ") + report::escapeLine(counts.notAnew[i]);
+    if (counts.notAnew.size() > kMostNames) names += ", ...";
+    return fmt::format(
+        "{} could not be graded anew ({}), and the earlier result of the same files stays. Why: "
+        "{}. "
+        "The same command tries again",
+        report::counted(counts.notAnew.size(), "submission"), names,
+        report::escapeLine(counts.whyNotAnew));
 }
 
 raytracer::ExitCode exitCodeOf(const RunCounts& counts, bool stopped) {

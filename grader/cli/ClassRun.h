@@ -33,6 +33,10 @@ struct Regrade {
 /// @throws raytracer::InputError if the results are of more than one exercise.
 bool rememberOrigin(store::Store& store, const std::vector<SubmissionResult>& results);
 
+/// What OUT has of a submission after a run: the fresh result, one that was still valid, or one
+/// that stays because the same files could not be graded anew.
+enum class Stored { fresh, kept, before };
+
 /// A run over a class with results in OUT: which results are still valid, and where new ones go.
 class ClassRun {
 public:
@@ -57,11 +61,12 @@ public:
     [[nodiscard]] std::optional<SubmissionResult> known(const std::string& submission,
                                                         const Inputs& inputs) const;
 
-    /// Writes a fresh result's files.
+    /// Writes a fresh result's files, unless OUT keeps the one that it has (`store::keepsBefore`).
     void write(const SubmissionResult& result) const;
-    /// Stores a result: a fresh one always, a kept one only if the store's row does not agree with
-    /// it. Does nothing without a store.
-    void index(const SubmissionResult& result, bool isKept);
+    /// Stores a result: a fresh one that was written always, a kept one only if the store's row
+    /// does not agree with it. Stores nothing without a store.
+    /// @return  What OUT has of the submission now.
+    [[nodiscard]] Stored index(const SubmissionResult& result, bool isKept);
 
     /// A notice for the user about the store, or no text.
     [[nodiscard]] std::string notice() const { return store_ ? store_->notice() : ""; }
@@ -78,14 +83,19 @@ private:
 /// Counts of the submissions that a run has finished so far.
 struct RunCounts {
     std::map<Verdict, std::size_t> verdicts;
-    std::size_t kept = 0;        ///< results of an earlier run
-    std::size_t unexpected = 0;  ///< with another verdict than expected
+    std::size_t kept = 0;              ///< results of an earlier run
+    std::size_t unexpected = 0;        ///< with another verdict than expected
+    std::vector<std::string> notAnew;  ///< submissions that are `Stored::before`
+    std::string whyNotAnew;            ///< of the first of them
 
     [[nodiscard]] std::size_t all() const;
 };
 
 /// The verdicts in a line, and the number of kept results in another one.
 [[nodiscard]] std::string closingLine(const RunCounts& counts);
+
+/// A notice about submissions that could not be graded anew, or no text.
+[[nodiscard]] std::string notAnewLine(const RunCounts& counts);
 
 /// The exit status of a run over a class.
 /// @param stopped  Ctrl-C ended it.

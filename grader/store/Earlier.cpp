@@ -77,6 +77,23 @@ void finish(const fs::path& submission) {
     if (error) throw cannotMove(moved, target, error);
 }
 
+bool agree(const SubmissionResult& one, const SubmissionResult& other) {
+    return one.inputs.files == other.inputs.files && one.verdict == other.verdict &&
+           findingIds(one) == findingIds(other);
+}
+
+/// Removes the newest earlier result if it agrees with `next`: only a fault of the machine came
+/// between the two, so that it is no earlier hand-in.
+void dropNewestLike(const SubmissionResult& next, const fs::path& all) {
+    const fs::path newest = all / std::to_string(nextNumber(all) - 1);
+    std::error_code ignored;
+    try {
+        if (agree(readResultJson(newest / "result.json"), next)) fs::remove_all(newest, ignored);
+    } catch (const raytracer::InputError&) {
+        return;  // there is none, or a kill left it without its result
+    }
+}
+
 std::string changedAt(const fs::path& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) return "";
@@ -85,14 +102,21 @@ std::string changedAt(const fs::path& file) {
 
 }  // namespace
 
+bool keepsBefore(const fs::path& out, const SubmissionResult& next) {
+    if (next.verdict != Verdict::notGraded || !next.inputs.areKnown()) return false;
+    const auto before = readWholeResult(out, next.submission);
+    return before && before->verdict != Verdict::notGraded &&
+           before->inputs.files == next.inputs.files;
+}
+
 void keepEarlier(const fs::path& out, const SubmissionResult& next) {
     finish(out / next.submission);
     const auto before = readWholeResult(out, next.submission);
-    if (!before || before->verdict == Verdict::notGraded) return;
-    if (before->inputs.files == next.inputs.files && before->verdict == next.verdict &&
-        findingIds(*before) == findingIds(next))
-        return;
-    moveFrom(out / next.submission);
+    if (!before) return;
+    if (before->verdict == Verdict::notGraded)
+        dropNewestLike(next, out / next.submission / kEarlier);
+    else if (!agree(*before, next))
+        moveFrom(out / next.submission);
 }
 
 std::vector<Earlier> earlierResults(const fs::path& out, const std::string& submission) {

@@ -79,6 +79,7 @@ void report(const RunCounts& counts, std::size_t total, const BatchOptions& opti
     if (counts.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    counts.unexpected, counts.all());
+    if (!counts.notAnew.empty()) fmt::print(stderr, "ticker: {}\n", notAnewLine(counts));
     if (stopped && counts.all() == total)
         fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
     else if (stopped)
@@ -88,11 +89,24 @@ void report(const RunCounts& counts, std::size_t total, const BatchOptions& opti
                    commandToGoOn(options, global, seed));
 }
 
+/// The first reason of the grader's own in a result.
+std::string whyNotGraded(const SubmissionResult& result) {
+    for (const TaskReport& task : result.tasks)
+        if (task.state == TaskState::notGraded) return task.reason;
+    return "";
+}
+
 /// Prints and counts one result.
-void take(const intake::Located& located, const SubmissionResult& result, bool isKept,
+void take(const intake::Located& located, const SubmissionResult& result, Stored stored,
           const BatchOptions& options, Progress& progress, RunCounts& counts) {
+    const bool isKept = stored == Stored::kept;
     std::string line = tableLine(result);
     if (isKept) line += "  [kept]";
+    if (stored == Stored::before) {
+        line += "  [the earlier result stays]";
+        if (counts.notAnew.empty()) counts.whyNotAnew = whyNotGraded(result);
+        counts.notAnew.push_back(result.submission);
+    }
     if (options.expectFolders && !asItsFolderSays(located, result)) {
         ++counts.unexpected;
         line += fmt::format("  [expected {}]", located.path.parent_path().filename().string());
@@ -141,8 +155,7 @@ BatchHooks hooksOf(ClassRun& run, const pipeline::Grader& grader, const BatchOpt
             .write = [&](const SubmissionResult& result) { run.write(result); },
             .take =
                 [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
-                    run.index(result, isKept);
-                    take(located, result, isKept, options, progress, counts);
+                    take(located, result, run.index(result, isKept), options, progress, counts);
                 }};
 }
 

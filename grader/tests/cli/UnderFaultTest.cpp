@@ -153,6 +153,26 @@ TEST_P(FullDisk, IsNamedByDoctorWithWhatToDo) {
         << ran.output;
 }
 
+TEST_P(FullDisk, LeavesAnEarlierResultOfTheSameFilesAsItIs) {
+    fs::copy(sample("notAwarded/does-not-compile"), at("class/bob"));
+    unsetenv("TMPDIR");
+    ASSERT_EQ(grade().status, 0);
+    setenv("TMPDIR", at("small").c_str(), 1);
+    const Ran ran = grade("--sandbox B --regrade all");
+    EXPECT_EQ(ran.status, 3) << ran.output << ran.errors;
+    EXPECT_NE(ran.output.find("[the earlier result stays]"), std::string::npos) << ran.output;
+    EXPECT_NE(ran.errors.find("1 submission could not be graded anew (bob), and the earlier result "
+                              "of the same files stays. Why: "),
+              std::string::npos)
+        << ran.errors;
+    std::ifstream file{out() / "bob/result.json"};
+    EXPECT_EQ(nlohmann::json::parse(file).at("verdict"), "notAwarded");
+    EXPECT_FALSE(fs::exists(out() / "bob/earlier"));
+    unsetenv("TMPDIR");
+    EXPECT_NE(grade("--resume").output.find("bob"), std::string::npos);
+    EXPECT_FALSE(fs::exists(out() / "bob/earlier"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("3m", "5m", "20m"),
                          [](const auto& size) { return std::string{size.param}; });
 

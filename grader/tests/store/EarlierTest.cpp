@@ -56,6 +56,40 @@ TEST_F(EarlierResults, DoNotPileUpWhereNothingHasChanged) {
     EXPECT_TRUE(fs::exists(out_.path() / "ann/result.json"));
 }
 
+TEST_F(EarlierResults, AreNotDoubledWhereAFaultOfTheMachineCameBetween) {
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    keepEarlier(out_.path(), handedIn("", Verdict::notGraded));
+    write(handedIn("", Verdict::notGraded), "");
+    ASSERT_EQ(earlier().size(), 1U) << "whose files could not be read is not known";
+    keepEarlier(out_.path(), handedIn("aa", Verdict::awarded));
+    EXPECT_TRUE(earlier().empty());
+}
+
+TEST_F(EarlierResults, StayWhereOthersFollowAFaultOfTheMachine) {
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    keepEarlier(out_.path(), handedIn("dd", Verdict::notGraded));
+    write(handedIn("dd", Verdict::notGraded), "int b;");
+    keepEarlier(out_.path(), handedIn("dd", Verdict::notAwarded));
+    ASSERT_EQ(earlier().size(), 1U);
+    EXPECT_EQ(earlier()[0].result.inputs.files, "aa");
+}
+
+TEST_F(EarlierResults, AreNotReplacedWhereTheSameFilesCouldNotBeGradedAgain) {
+    const auto isKept = [&](const std::string& files, Verdict verdict) {
+        return keepsBefore(out_.path(), handedIn(files, verdict));
+    };
+    EXPECT_FALSE(isKept("aa", Verdict::notGraded)) << "there is none";
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    EXPECT_TRUE(isKept("aa", Verdict::notGraded));
+    EXPECT_FALSE(isKept("aa", Verdict::notAwarded));
+    EXPECT_FALSE(isKept("dd", Verdict::notGraded)) << "another hand-in";
+    EXPECT_FALSE(isKept("", Verdict::notGraded)) << "unknown files";
+    write(handedIn("aa", Verdict::notGraded), "int a;");
+    EXPECT_FALSE(isKept("aa", Verdict::notGraded)) << "no better one";
+    write(handedIn("", Verdict::awarded), "int a;");
+    EXPECT_FALSE(isKept("", Verdict::notGraded)) << "files that are not known are not the same";
+}
+
 TEST_F(EarlierResults, SurviveAKilledMove) {
     write(handedIn("aa", Verdict::awarded), "int a;");
     keepEarlier(out_.path(), handedIn("dd", Verdict::awarded));
