@@ -224,7 +224,8 @@ class RayView {
     if (width) this.drawing.resize(width, height, Math.min(2, window.devicePixelRatio || 1));
   }
 
-  /// Follows the window's size and colours; paper is light.
+  /// Follows the window's size and colours; paper is light. Ends when the drawing is taken off the page, which its
+  /// size tells: otherwise the window would keep each drawing that it ever had.
   follow() {
     const colours = matchMedia("(prefers-color-scheme: dark)");
     const paper = matchMedia("print");
@@ -233,8 +234,13 @@ class RayView {
       this.fillFaces(this.drawing.chosen);
       this.drawing.draw();
     };
+    const size = new ResizeObserver(() => {
+      if (this.canvas.isConnected) { this.fit(); this.drawing.draw(); return; }
+      for (const media of [colours, paper]) media.removeEventListener("change", adapt);
+      size.disconnect();
+    });
     for (const media of [colours, paper]) media.addEventListener("change", adapt);
-    new ResizeObserver(() => { this.fit(); this.drawing.draw(); }).observe(this.canvas);
+    size.observe(this.canvas);
     this.drawing.isDark = colours.matches && !paper.matches;
   }
 }
