@@ -105,11 +105,13 @@ std::string thumbnails(const SubmissionResult& result) {
 }
 
 /// What was decided in a session, shown below the proposal; empty if nothing was.
-std::string decided(const std::vector<Decision>& decisions, const std::string& submission) {
-    const auto found = std::ranges::find(decisions, submission, &Decision::submission);
+std::string decided(const std::vector<Decision>& decisions, const SubmissionResult& result) {
+    const auto found = std::ranges::find(decisions, result.submission, &Decision::submission);
     if (found == decisions.end() || found->ruling == Ruling::undecided) return "";
-    return fmt::format("<span class=\"ruled soft\">decided: {}</span>",
-                       found->ruling == Ruling::awarded ? "awarded" : "not yet");
+    const bool isStale = !found->files.empty() && found->files != result.inputs.files;
+    return fmt::format("<span class=\"ruled soft\">decided: {}{}</span>",
+                       found->ruling == Ruling::awarded ? "awarded" : "not yet",
+                       isStale ? ", about an earlier hand-in" : "");
 }
 
 std::string row(const SubmissionResult& result, const std::vector<std::string>& tasks,
@@ -130,7 +132,7 @@ std::string row(const SubmissionResult& result, const std::vector<std::string>& 
         toString(result.verdict), ids, address(result.submission + "/report.html"),
         escapeHtml(result.submission), static_cast<int>(result.verdict),
         badge(toString(result.verdict), wordsFor(result.verdict)),
-        address(result.submission + "/student.html"), decided(decisions, result.submission));
+        address(result.submission + "/student.html"), decided(decisions, result));
     for (const std::string& task : tasks)
         html += stateCell(result, task);
     return html +

@@ -295,6 +295,19 @@ TEST(ClassPage, SaysWithAProposalWhatWasDecided) {
     EXPECT_EQ(classPage({result}, {decision}).find(">decided: "), std::string::npos);
 }
 
+TEST(ClassPage, SaysWhichDecisionIsAboutAnEarlierHandIn) {
+    SubmissionResult result = failedBumpExample();
+    result.inputs.files = "now";
+    Decision decision;
+    decision.submission = result.submission;
+    decision.ruling = Ruling::awarded;
+    decision.files = "before";
+    EXPECT_NE(classPage({result}, {decision}).find(">decided: awarded, about an earlier hand-in<"),
+              std::string::npos);
+    decision.files = "now";
+    EXPECT_NE(classPage({result}, {decision}).find(">decided: awarded<"), std::string::npos);
+}
+
 TEST(ClassPage, LinksToTheReportOfStaffAndToThePageOfTheStudent) {
     const std::string html = classPage({passedExample()});
     EXPECT_NE(html.find("href=\"Ada%20Lovelace/report.html#class\""), std::string::npos);
