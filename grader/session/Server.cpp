@@ -23,10 +23,10 @@ constexpr std::size_t kLargestBody = 256U << 10U;  // model.js stays below it
 constexpr int kTooLarge = 413;
 constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
 
-// A report runs its own script, which may not send requests to this server.
+// A report runs its own script, which may load this server's pictures and nothing else of it.
 constexpr const char* kReportPolicy =
-    "sandbox allow-scripts; default-src 'none'; "
-    "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
+    "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; "
+    "style-src 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'";
 
 void answer(httplib::Response& response, const Reply& reply) {
     response.status = reply.status;
@@ -92,9 +92,7 @@ public:
     }
 
     [[nodiscard]] const Access& access() const { return access_; }
-    [[nodiscard]] std::string address() const {
-        return fmt::format("http://{}:{}/{}/", kHost, access_.port, access_.token);
-    }
+    [[nodiscard]] const std::optional<Access>& missed() const { return missed_; }
     void serve() { http_.listen_after_bind(); }
     void stop() { http_.end(); }
 
@@ -110,6 +108,7 @@ private:
             if (wanted > 0)
                 throw raytracer::InputError(
                     "", 0, fmt::format("port {} is taken; try another, or none", wanted));
+            missed_ = access_;
         }
         access_.port = http_.bind_to_any_port(kHost);
         if (access_.port <= 0) throw raytracer::Error("no port of 127.0.0.1 can be had");
@@ -156,16 +155,21 @@ private:
         get("submission", [this](const httplib::Request& request, httplib::Response& response) {
             answer(response, view_.submission(request.get_param_value("name")));
         });
-        get("report", [this](const httplib::Request& request, httplib::Response& response) {
-            response.set_header("Content-Security-Policy", kReportPolicy);
-            answer(response, view_.reportPage(request.get_param_value("name")));
-        });
+        // A report names its pictures from its own place.
+        get("of/([^/]+)/report\\.html",
+            [this](const httplib::Request& request, httplib::Response& response) {
+                response.set_header("Content-Security-Policy", kReportPolicy);
+                answer(response, view_.reportPage(request.matches[1]));
+            });
         get("similar", [this](const httplib::Request& /*request*/, httplib::Response& response) {
             response.set_header("Content-Security-Policy", kReportPolicy);
             answer(response, view_.similarPage());
         });
         get("of/([^/]+)/images/([^/]+)",
             [this](const httplib::Request& request, httplib::Response& response) {
+                // A report is sandboxed, and so of another origin.
+                response.headers.erase("Cross-Origin-Resource-Policy");
+                response.set_header("Cross-Origin-Resource-Policy", "cross-origin");
                 answer(response, view_.image(request.matches[1], request.matches[2]));
             });
         http_.Post(".*", [this](const httplib::Request& request, httplib::Response& response) {
@@ -188,9 +192,14 @@ private:
 
     ClassView& view_;
     Access access_;
+    std::optional<Access> missed_;
     Listener http_{[this](const httplib::Request& request) { return mayEnter(request); },
                    kLargestRequest};
 };
+
+std::string addressOf(const Access& access) {
+    return fmt::format("http://{}:{}/{}/", kHost, access.port, access.token);
+}
 
 Server::Server(ClassView& view, Access access, int port)
     : routes_(std::make_unique<Routes>(view, std::move(access), port)) {}
@@ -200,7 +209,10 @@ const Access& Server::access() const {
     return routes_->access();
 }
 std::string Server::address() const {
-    return routes_->address();
+    return addressOf(access());
+}
+const std::optional<Access>& Server::missed() const {
+    return routes_->missed();
 }
 void Server::serve() {
     routes_->serve();

@@ -13,6 +13,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -90,6 +91,20 @@ void waitForEnd(const sigset_t& ending, const std::function<void()>& work) {
         work();
 }
 
+/// Stores the session's address for the next one. If the last one's is in use, that stays the
+/// stored one: browsers may keep decisions which are sent to it alone.
+void keepAddress(const session::Server& server, const std::string& out) {
+    if (const std::optional<session::Access>& missed = server.missed())
+        fmt::print(
+            stderr,
+            "ticker: The last session's address, {}, is in use, so this session has another. "
+            "Decisions that wait in a browser for that one are sent when a session has it "
+            "again: --port {}\n",
+            session::addressOf(*missed), missed->port);
+    else
+        session::writeAccess(server.access(), out);
+}
+
 raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& global) {
     if (!store::Store::isIn(options.out))
         throw raytracer::InputError(options.out, 0,
@@ -98,7 +113,7 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
     store::expectResults(options.out, store::Store{options.out});
     session::ClassView view{options.out};
     session::Server server{view, session::readAccess(options.out), options.port};
-    session::writeAccess(server.access(), options.out);
+    keepAddress(server, options.out);
     if (!view.notice().empty()) fmt::print(stderr, "ticker: {}\n", view.notice());
     fmt::print("{}\n", server.address());
     std::fflush(stdout);
@@ -117,6 +132,7 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
     const std::vector<store::ClassEntry> entries = store::readClass(options.out);
     writeClass(options.out, entries);
     writeStudentPages(options.out, entries, options.studentView);
+    warnOfStale(entries, false);
     return raytracer::ExitCode::success;
 }
 

@@ -54,6 +54,7 @@ const toggleList = (isOpen) => {
 
 // --- buttons and keys ----------------------------------------------------------------------------
 
+const decisive = new Set(["award", "notYet", "undo"]); // a key that is held down does these once
 const acts = {
   award: () => decide("awarded"),
   notYet: () => decide("notYet"),
@@ -70,7 +71,7 @@ const acts = {
   list: () => toggleList(),
   help: () => { $("#help").showModal(); $("#help").scrollTop = 0; }, // its only button is at its end
   find: () => { toggleList(true); $("#find").focus(); $("#find").select(); },
-  report: () => model.current !== null && window.open(`report?name=${encodeURIComponent(model.current)}`, "_blank", "noopener"),
+  report: () => model.current !== null && window.open(`of/${encodeURIComponent(model.current)}/report.html`, "_blank", "noopener"),
 };
 const keys = {
   a: "award", n: "notYet", c: "comment", u: "undo", j: "next", k: "back", s: "summary", g: "groups", v: "sheet", l: "line",
@@ -94,7 +95,7 @@ document.addEventListener("keydown", (event) => {
   const act = keys[event.key];
   if (!act) return;
   event.preventDefault();
-  acts[act]();
+  if (!event.repeat || !decisive.has(act)) acts[act]();
 });
 document.addEventListener("click", (event) => {
   const act = event.target.closest("[data-act]")?.dataset.act;

@@ -73,7 +73,7 @@ TEST_F(OnTheNetwork, GivesThePageAndTheClassToWhoKnowsTheToken) {
               std::string::npos);
     for (const char* path :
          {"main.js", "viewer.js", "session.css", "class", "pictures?name=bob",
-          "submission?name=bob", "of/bob/images/bump-mapping.png", "report?name=bob"})
+          "submission?name=bob", "of/bob/images/bump-mapping.png", "of/bob/report.html"})
         EXPECT_EQ(statusOf(at(path)), 200) << path;
     EXPECT_EQ(statusOf(at("submission?name=J%C3%BCrgen%2C%20100%25%20%22x%22%20%231%3F_12")), 200);
     EXPECT_EQ(
@@ -135,7 +135,7 @@ TEST_F(OnTheNetwork, CanBeStoppedBeforeItServes) {
 }
 
 TEST_F(OnTheNetwork, ShowsReportsInAFrameOfTheirOwnMaking) {
-    const auto report = client_.Get(at("report?name=bob"));
+    const auto report = client_.Get(at("of/bob/report.html"));
     ASSERT_TRUE(report);
     EXPECT_NE(report->get_header_value("Content-Security-Policy").find("sandbox"),
               std::string::npos);
@@ -209,6 +209,9 @@ TEST_F(OnTheNetwork, RefusesAPortThatIsTaken) {
     EXPECT_THROW((Server{view_, {kToken, 0}, server_.access().port}), std::exception);
     const Server another{view_, {kToken, server_.access().port}, 0};
     EXPECT_NE(another.access().port, server_.access().port) << "the last one's is only a wish";
+    ASSERT_TRUE(another.missed());
+    EXPECT_EQ(addressOf(*another.missed()), server_.address());
+    EXPECT_FALSE(server_.missed());
 }
 
 }  // namespace
