@@ -95,7 +95,7 @@ json jsonOf(const store::ResultRow& row) {
             {"verdict", toString(row.verdict)}, {"option", row.option},
             {"findings", row.findings},         {"tasks", row.tasks},
             {"files", row.inputs.files},        {"gradedAt", row.gradedAt},
-            {"proven", std::move(proven)}};
+            {"timesGraded", row.timesGraded},   {"proven", std::move(proven)}};
 }
 
 json jsonOf(const store::SavedComment& comment) {

@@ -1,6 +1,6 @@
 // The editor of comments for the student, on the submission or on a line, with a preview.
 import { $, make } from "./dom.js";
-import { entries, model, saidOf, standing, whenRefused } from "./model.js";
+import { entries, isSameNote, model, saidOf, standing, whenRefused } from "./model.js";
 import { askFor, who } from "./decide.js";
 import { filled, offersFor, saveComment, showOffers } from "./saved.js";
 import { memory, post } from "./server.js";
@@ -24,8 +24,7 @@ const draftOf = (name, at) => `draft.${name}${at ? `.${at.file}.${at.line}` : ""
 function keepWords({ submission, comment, notes }) {
   const { decision } = entries.get(submission) ?? {};
   if (comment && comment !== decision?.comment) memory.set(draftOf(submission), comment);
-  const isKept = ({ file, line, text }) =>
-    (decision?.notes ?? []).some((one) => one.file === file && one.line === line && one.text === text);
+  const isKept = (note) => (decision?.notes ?? []).some((one) => isSameNote(one, note));
   for (const note of notes) if (!isKept(note)) memory.set(draftOf(submission, note), note.text);
 }
 
@@ -89,9 +88,10 @@ export function editComment() {
   if (!who()) return askFor("Who comments?", null, editComment);
   const name = model.current;
   const entry = entries.get(name);
+  const over = saidOf(standing(name));
   edit({
-    title: "Comment for the student", draft: draftOf(name), text: standing(name).comment, offers: offersFor(entry), at: {},
-    keep: (comment) => record([{ submission: name, made: { ...saidOf(standing(name)), comment } }], who()),
+    title: "Comment for the student", draft: draftOf(name), text: over.comment, offers: offersFor(entry), at: {},
+    keep: (comment) => record([{ submission: name, over, made: { ...saidOf(standing(name)), comment } }], who()),
   });
 }
 
@@ -101,7 +101,8 @@ export function editNote(at) {
   if (!who()) return askFor("Who comments?", null, () => editNote(at));
   const name = model.current;
   const isHere = (note) => note.file === at.file && note.line === at.line;
-  const before = standing(name).notes.find(isHere);
+  const over = saidOf(standing(name));
+  const before = over.notes.find(isHere);
   edit({
     title: `${at.file}, line ${at.line}`, draft: draftOf(name, at), text: before?.text ?? "",
     offers: offersFor(entries.get(name), at), at,
@@ -109,7 +110,7 @@ export function editNote(at) {
       const said = saidOf(standing(name));
       const notes = [...said.notes.filter((note) => !isHere(note)), ...(text ? [{ ...at, text }] : [])]
         .sort((one, other) => one.file.localeCompare(other.file) || one.line - other.line);
-      record([{ submission: name, made: { ...said, notes } }], who());
+      record([{ submission: name, over, made: { ...said, notes } }], who());
       codeChanged();
     },
   });

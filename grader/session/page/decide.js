@@ -39,24 +39,27 @@ export function askFor(title, why, then) {
   (name.disabled ? reason : name).focus();
 }
 
+/// What stands, for another ruling, which is about the files that are shown.
+const anew = (name) => ({ ...saidOf(standing(name)), bulk: "", files: "" });
+
 /// Decides on the submission that is shown, and opens the next one. Asks once for a name; for a reason if
 /// the decision contradicts the proposal; and, if a decision is reversed, whether its comment still fits.
 function decideOne(ruling) {
   if (!isOnPage()) return; // the submission is not shown yet
   const name = model.current;
   const entry = entries.get(name);
-  const before = saidOf(standing(name));
+  const over = saidOf(standing(name));
   const isAgainst = overrules(ruling, entry);
-  const isTurned = before.ruling !== "undecided" && before.ruling !== ruling;
+  const isTurned = over.ruling !== "undecided" && over.ruling !== ruling;
   const keep = (comment) => {
-    record([{ submission: name, made: { ...before, ruling, comment, bulk: "" } }], who());
+    record([{ submission: name, over, made: { ...anew(name), ruling, comment } }], who());
     goOn();
   };
-  if (before.comment ? isTurned : isAgainst)
-    askFor(before.comment ? "Does your comment still fit?" : `The proposal is “${words[entry.verdict]}”. Why “${words[ruling]}”?`,
-      { isRequired: isAgainst, comment: before.comment, offers: offersFor(entry).filter(({ isSaved }) => isSaved) }, keep);
-  else if (!who()) askFor("Who decides?", null, () => keep(before.comment));
-  else keep(before.comment);
+  if (over.comment ? isTurned : isAgainst)
+    askFor(over.comment ? "Does your comment still fit?" : `The proposal is “${words[entry.verdict]}”. Why “${words[ruling]}”?`,
+      { isRequired: isAgainst, comment: over.comment, offers: offersFor(entry).filter(({ isSaved }) => isSaved) }, keep);
+  else if (!who()) askFor("Who decides?", null, () => keep(over.comment));
+  else keep(over.comment);
 }
 
 /// Decides on many submissions: the same ruling for all, the same comment for those without one.
@@ -64,12 +67,13 @@ export function decideMany(names, ruling) {
   if (names.length === 0) return;
   const all = names.map((name) => entries.get(name));
   const isAgainst = all.some((entry) => overrules(ruling, entry) && !standing(entry.name).comment);
+  const overs = names.map((name) => saidOf(standing(name)));
   const title = `“${words[ruling]}” for ${counted(names.length, "submission")}${isAgainst ? ". Some proposals differ: why?" : "?"}`;
   askFor(title, { isRequired: isAgainst, comment: "", offers: offersFor(all[0]) }, (comment) => {
     const bulk = Math.random().toString(36).slice(2, 10);
-    record(names.map((submission) => {
-      const before = saidOf(standing(submission));
-      return { submission, made: { ...before, ruling, bulk, comment: before.comment || comment } };
+    record(names.map((submission, i) => {
+      const before = anew(submission);
+      return { submission, over: overs[i], made: { ...before, ruling, bulk, comment: before.comment || comment } };
     }), who());
     again();
     tell(`“${words[ruling]}” for ${counted(names.length, "submission")}; one undo takes them back.`);
@@ -93,15 +97,16 @@ export function undo() {
   tell(back.text);
 }
 
+const inWords = ({ ruling, comment, notes }) => [`${words[ruling]}${comment && ` (“${comment}”)`}`,
+  ...notes.map(({ file, line, text }) => `in line ${line} of ${file} “${text}”`)].join(", ");
+
 export function watchDecisions() {
   $("#who").value = memory.get("who", "");
   $("#who").addEventListener("input", (event) => memory.set("who", event.target.value));
   whenOvertaken(async (mine, theirs) => {
     const dialog = $("#conflict");
-    $(".words", dialog).textContent =
-      `${theirs.who || "Another ticker"} decided about ${entries.get(mine.submission)?.shown} meanwhile: ${words[theirs.ruling]}` +
-      `${theirs.comment ? ` (“${theirs.comment}”)` : ""}. You said: ${words[mine.ruling]}` +
-      `${mine.comment ? ` (“${mine.comment}”)` : ""}.`;
+    $(".words", dialog).textContent = `${theirs.who || "Another ticker"} decided about ` +
+      `${entries.get(mine.submission)?.shown} meanwhile: ${inWords(theirs)}. You said: ${inWords(mine)}.`;
     dialog.returnValue = "theirs";
     dialog.showModal();
     await new Promise((done) => dialog.addEventListener("close", done, { once: true }));

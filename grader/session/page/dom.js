@@ -18,6 +18,9 @@ export function make(name, attributes = {}, ...children) {
 
 export const soft = (...children) => make("span", { class: "soft" }, ...children);
 
+/// A verdict or ruling, coloured.
+export const badge = (what, text = words[what]) => make("span", { class: `badge ${what === "notYet" ? "notAwarded" : what}` }, text);
+
 /// A button with its click handler.
 export function button(text, work, attributes = {}) {
   const element = make("button", { type: "button", ...attributes }, ...[text].flat());

@@ -1,11 +1,11 @@
 // Groups of similar submissions, and the contact sheet, on which many are decided at once.
-import { $, button, counted, make, soft, words } from "./dom.js";
+import { $, badge, button, counted, make, soft, words } from "./dom.js";
 import { decidesAbout } from "./decide.js";
-import { entries, isOpen, shown, standing, watch } from "./model.js";
+import { entries, gradingOf, isOpen, shown, standing, watch } from "./model.js";
 import { changesOf, filter, findingsOfGroup, groupOf, listed, setFilter } from "./list.js";
 import { ask } from "./server.js";
 import { tell } from "./submission.js";
-import { fill, here, open, register, viewName } from "./views.js";
+import { fill, open, register, viewName } from "./views.js";
 
 // --- groups --------------------------------------------------------------------------------------
 
@@ -14,8 +14,7 @@ function card(key, members) {
   const done = members.filter(({ name }) => !isOpen(name)).length;
   const ids = [...new Set(first.findings)];
   return make("li", { class: `card group ${first.verdict}` },
-    make("p", { class: "chips" }, make("span", { class: `badge ${first.verdict}` }, words[first.verdict]),
-      soft(`option ${first.option}`)),
+    make("p", { class: "chips" }, badge(first.verdict), soft(`option ${first.option}`)),
     make("h2", {}, ids.length > 0 ? ids.join(", ") : "nothing was found"),
     ...changesOf(first).map((change) => make("p", {}, soft("mended by "), make("code", {}, change))),
     make("p", {}, `${counted(members.length, "submission")}, ${done} decided`),
@@ -41,7 +40,7 @@ function showGroups() {
 
 // --- the contact sheet ---------------------------------------------------------------------------
 
-let cards = new Map(); // name -> {box, isSeen}
+let cards = new Map(); // name -> {element, box, isSeen}
 const picked = () => [...cards].filter(([, { box }]) => box.checked).map(([name]) => name);
 
 const picture = (address, what, name) =>
@@ -49,7 +48,7 @@ const picture = (address, what, name) =>
 
 async function addPictures(place, entry) {
   const { renders = [], told = "", error = "" } = await ask(`pictures?name=${encodeURIComponent(entry.name)}`);
-  shown.set(entry.name, entry.files);
+  shown.set(entry.name, { files: entry.files, grading: gradingOf(entry) });
   const [render] = renders;
   place.replaceChildren(...(render
     ? [...(render.reference ? [picture(render.reference, "expected", entry.shown)] : []), picture(render.image, "submitted", entry.shown)]
@@ -77,11 +76,10 @@ function sheetCard(name) {
   box.addEventListener("change", showPicked);
   const element = make("li", { class: `card sheet-card ${entry.verdict}`, "data-name": name },
     make("p", { class: "row" }, make("label", {}, box, ` ${entry.shown}`), make("span", { class: "grow" }),
-      make("span", { class: `badge ${ruling === "undecided" ? entry.verdict : ruling === "awarded" ? "awarded" : "notAwarded"}` },
-        ruling === "undecided" ? words[entry.verdict] : `${words[ruling]}${bulk ? ", in bulk" : ""}`)),
+      ruling === "undecided" ? badge(entry.verdict) : badge(ruling, `${words[ruling]}${bulk ? ", in bulk" : ""}`)),
     make("div", { class: "pair" }, soft("...")),
     button("Open", () => open("submission", { name }), { "aria-label": `Open ${entry.shown}` }));
-  cards.set(name, { box, isSeen: false });
+  cards.set(name, { element, box, isSeen: false });
   sight.observe(element);
   return element;
 }
@@ -105,6 +103,16 @@ function showSheet() {
   showPicked();
 }
 
+/// Adds cards of submissions that have come since the sheet was drawn; the others stay as they are.
+function addCards() {
+  let next = null;
+  for (const name of listed().reverse()) {
+    if (!cards.has(name)) $(".sheet").insertBefore(sheetCard(name), next);
+    next = cards.get(name).element;
+  }
+  showPicked();
+}
+
 function pick(isPicked) {
   for (const [name, { box }] of cards) box.checked = isPicked(name);
   showPicked();
@@ -115,7 +123,7 @@ function ready() {
   const names = picked();
   const unseen = names.find((name) => !cards.get(name).isSeen);
   if (unseen === undefined) return names;
-  [...document.querySelectorAll(".sheet-card")].find((one) => one.dataset.name === unseen).scrollIntoView({ block: "start" });
+  cards.get(unseen).element.scrollIntoView({ block: "start" });
   return [];
 }
 
@@ -124,6 +132,6 @@ export function watchGroups() {
   register("sheet", { show: showSheet, listChanged: showSheet });
   decidesAbout(ready);
   watch((names) => {
-    if (viewName() === "sheet" && names === null && listed().some((name) => !cards.has(name))) here().show();
+    if (viewName() === "sheet" && names === null && listed().some((name) => !cards.has(name))) addCards();
   });
 }

@@ -4,8 +4,10 @@ import { ask, memory, post, token } from "./server.js";
 
 export const entries = new Map(); // name -> the session's data about it, and its row of the list
 export const model = { names: [], comments: [], current: null }; // current: name of the submission that is shown
-/// name -> digest of the files that this page showed last, which decisions are about.
+/// name -> {files, grading} of what this page showed last; decisions are about these files.
 export const shown = new Map();
+/// Which grading of a submission the class has.
+export const gradingOf = ({ timesGraded, gradedAt }) => `${timesGraded} ${gradedAt}`;
 const watchers = [];
 export const watch = (work) => watchers.push(work);
 /// Calls the watchers after decisions changed; `names`: which ones, if known.
@@ -48,10 +50,11 @@ const nothing = { ruling: "undecided", comment: "", notes: [], bulk: "" };
 /// The valid decision on a submission, stored or still in the queue.
 export const standing = (name) => ({ ...nothing, ...(pendingOf(name) || entries.get(name)?.decision) });
 
-/// The parts of a decision that a person enters.
-export const saidOf = ({ ruling, comment, notes, bulk }) => ({ ruling, comment, notes, bulk });
+/// The parts of a decision that a person enters, and the files that it is about.
+export const saidOf = ({ ruling, comment, notes, bulk, files }) => ({ ruling, comment, notes, bulk, files });
+export const isSameNote = (one, other) => one.file === other.file && one.line === other.line && one.text === other.text;
 export const isSame = (one, other) => one.ruling === other.ruling && one.comment === other.comment &&
-  JSON.stringify(one.notes) === JSON.stringify(other.notes);
+  one.notes.length === other.notes.length && one.notes.every((note, i) => isSameNote(note, other.notes[i]));
 
 // A decision on "needs a look" overrules nothing, since the tool proposes no verdict there.
 export const overrules = (ruling, entry) =>
@@ -62,16 +65,23 @@ export const isOpen = (name) => standing(name).ruling === "undecided";
 export const isStale = ({ decision, files }) =>
   Boolean(decision && decision.ruling !== "undecided" && decision.files && decision.files !== files);
 
-/// Adds decisions to the queue: [{submission, ruling, comment, notes, bulk}].
+/// The files of a decision that is to be stored: those of the one that stands where only a comment changes, else
+/// those that were shown.
+const filesOf = ({ submission, ruling, files }) =>
+  (ruling !== "undecided" && files) || (shown.get(submission) ?? entries.get(submission))?.files;
+
+/// Adds decisions to the queue: [{submission, ruling, comment, notes, bulk, files, over}].
+///
+/// files: as `filesOf` takes them. over: what stood when the ticker began to write; if another ticker's decision came
+/// since then, the session refuses the new one, as if this page had not known of it.
 export function enqueue(items, who) {
   const next = new Map();
-  const versioned = items.map((item) => {
-    const entry = entries.get(item.submission);
-    const known = entry?.decision?.version ?? 0;
-    const files = shown.get(item.submission) ?? entry?.files;
+  const versioned = items.map(({ over, ...item }) => {
+    const known = entries.get(item.submission)?.decision?.version ?? 0;
     const before = next.get(item.submission) ?? queue.filter((one) => one.submission === item.submission).length;
     next.set(item.submission, before + 1);
-    return { ...item, files, version: known + before, who };
+    const isOvertaken = over && known > 0 && !isSame(over, standing(item.submission));
+    return { ...item, files: filesOf(item), version: isOvertaken ? known - 1 : known + before, who };
   });
   setQueue([...queue, ...versioned]);
   changed(items.map((item) => item.submission));
@@ -104,8 +114,8 @@ function drop({ submission }) {
 }
 
 const refusals = { keep: () => {}, tell: () => {} };
-/// Sets the functions for decisions that the session refused: `keep(decision)` takes the words of one over, at once;
-/// `tell([[decision, why], ...])` says it, after all others were sent.
+/// Sets the functions for decisions that are not stored: `keep(decision)` takes the words of one over, at once;
+/// `tell([[decision, why], ...])` says which ones the session refused, after all others were sent.
 export const whenRefused = (keep, tell) => Object.assign(refusals, { keep, tell });
 
 let isFlushing = false;
@@ -148,16 +158,18 @@ export async function flush() {
   if (refused.length > 0) refusals.tell(refused);
 }
 
-/// Two tickers decided on one submission: the later one chooses which is valid. Both stay in the history.
-async function settle(mine, theirs) {
-  // Later decisions on this submission were based on one that was not stored.
-  setQueue(queue.filter((item) => item.submission !== mine.submission));
+/// Two tickers decided on one submission: the later one chooses which is valid.
+async function settle(sent, theirs) {
+  // Later decisions of this ticker were based on the one that was not stored; the last of them holds what was said.
+  const mine = queue.findLast((item) => item.submission === sent.submission) ?? sent;
+  setQueue(queue.filter((item) => item.submission !== sent.submission));
   if (isSame({ ...nothing, ...theirs }, { ...nothing, ...mine })) return;
   memory.set(queueKey, [mine, ...queue]); // kept in case the page is closed now
   disputed = 1;
   changed([]);
   const holds = await conflicts.resolve(mine, theirs);
   disputed = 0;
+  if (holds !== "mine") refusals.keep(mine);
   setQueue(holds === "mine" ? [...queue, { ...mine, version: theirs.version }] : queue);
 }
 

@@ -1,18 +1,18 @@
 // The view of one submission, and the footer with its decision.
-import { $, button, clock, make, soft, table, words } from "./dom.js";
+import { $, badge, button, clock, make, soft, table, words } from "./dom.js";
 import { dressCode } from "./code.js";
-import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, shown, standing, watch } from "./model.js";
+import { entries, gradingOf, isOverruled, isPending, isSame, isStale, model, shown, standing, watch } from "./model.js";
 import { nextUndecided } from "./list.js";
 import { ask } from "./server.js";
 import { undone } from "./undo.js";
 import { Viewer, drawRays } from "./viewer.js";
-import { onOpen, open, register } from "./views.js";
+import { again, onOpen, open, register } from "./views.js";
 
 export let viewers = []; // of the submission that is shown
 const cache = new Map(); // grading, decision and name -> promise of {html, files, history}, or of {error} until it has come
 
 function fetched(name) {
-  const key = `${entries.get(name).gradedAt} ${entries.get(name).decision?.version} ${name}`;
+  const key = `${gradingOf(entries.get(name))} ${entries.get(name).decision?.version} ${name}`;
   if (!cache.has(key)) {
     if (cache.size > 20) cache.delete(cache.keys().next().value);
     cache.set(key, ask(`submission?name=${encodeURIComponent(name)}`));
@@ -45,9 +45,10 @@ async function show({ name }) {
   entries.get(name).row.scrollIntoView({ block: "nearest" });
   const main = $("main");
   main.classList.toggle("loading", main.dataset.name !== name);
+  const grading = gradingOf(entries.get(name));
   const { html, files, history, error } = await fetched(name);
   if (model.current !== name) return;
-  if (!error) shown.set(name, files);
+  if (!error) shown.set(name, { files, grading });
   main.classList.remove("loading");
   if (error) main.replaceChildren(make("p", { class: "soft" }, error));
   else main.innerHTML = html; // made by the session, which escapes all text of students
@@ -69,8 +70,7 @@ async function show({ name }) {
 // --- the footer ----------------------------------------------------------------------------------
 
 function ruled(now) {
-  const parts = [soft(" decided: "),
-    make("span", { class: `badge ${now.ruling === "awarded" ? "awarded" : "notAwarded"}` }, words[now.ruling])];
+  const parts = [soft(" decided: "), badge(now.ruling)];
   if (now.bulk) {
     const alike = model.names.filter((name) => standing(name).bulk === now.bulk).length;
     parts.push(make("strong", {}, alike > 1 ? ` in bulk, with ${alike - 1} more` : " in bulk"));
@@ -78,15 +78,21 @@ function ruled(now) {
   return parts;
 }
 
+/// Which grading came after the one that is shown, and a button to load it.
+function newer(entry) {
+  const seen = isOnPage() ? shown.get(entry.name) : null;
+  if (!seen || (seen.files === entry.files && seen.grading === gradingOf(entry))) return [];
+  return [make("strong", {}, seen.files === entry.files ? " graded again: " : " handed in again: "), button("Load it anew", again)];
+}
+
 /// Proposal, decision and comment of a submission, in words.
 function standingOf(entry) {
   const now = standing(entry.name);
-  const parts = [soft("proposed: "), make("span", { class: `badge ${entry.verdict}` }, words[entry.verdict])];
+  const parts = [soft("proposed: "), badge(entry.verdict)];
   if (now.ruling !== "undecided") parts.push(...ruled(now));
   if (isOverruled(entry)) parts.push(make("strong", {}, " against the proposal"));
   if (isStale(entry)) parts.push(make("strong", {}, " other files than were decided about"));
-  if (isOnPage() && shown.has(entry.name) && shown.get(entry.name) !== entry.files)
-    parts.push(make("strong", {}, " handed in again: "), button("Load it anew", () => open("submission", { name: entry.name })));
+  parts.push(...newer(entry));
   const note = undone.get(entry.name);
   const hasSaid = now.comment || now.notes.length > 0;
   if (note && isSame(note.said, now)) parts.push(make("strong", {}, note.text));
@@ -100,9 +106,15 @@ function standingOf(entry) {
 /// Shows a message in the footer of views other than a submission.
 export const tell = (...parts) => { if (model.current === null) $(".standing").replaceChildren(...parts); };
 
+/// A screen reader says the footer whenever it is replaced: it is where its words differ or are about another submission.
 export function showStanding() {
   const entry = entries.get(model.current);
-  if (entry) $(".standing").replaceChildren(...standingOf(entry));
+  if (!entry) return;
+  const place = $(".standing");
+  const now = make("div", {}, ...standingOf(entry));
+  if (place.dataset.name === entry.name && place.innerHTML === now.innerHTML) return;
+  place.dataset.name = entry.name;
+  place.replaceChildren(...now.childNodes);
 }
 
 export function goOn() {

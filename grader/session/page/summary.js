@@ -1,6 +1,6 @@
 // The summary: counts of decisions, by ruling and by ticker.
-import { button, clock, countBy, make, table, words } from "./dom.js";
-import { entries, isOverruled, model, standing } from "./model.js";
+import { $, button, clock, countBy, make, table, words } from "./dom.js";
+import { entries, isOverruled, model, standing, watch } from "./model.js";
 import { listed, setFilter, showWholeList } from "./list.js";
 import { goOn } from "./submission.js";
 import { fill, open, register } from "./views.js";
@@ -22,12 +22,12 @@ function tickers(decided) {
   });
 }
 
-function show() {
+function drawn() {
   const all = model.names.map((name) => entries.get(name));
   const ruling = (entry) => standing(entry.name).ruling;
   const undecided = all.filter((entry) => ruling(entry) === "undecided");
   const isListDone = undecided.length > 0 && undecided.every((entry) => entry.row.hidden);
-  fill(make("h1", {}, undecided.length === 0 ? "All are decided"
+  return [make("h1", {}, undecided.length === 0 ? "All are decided"
     : listed().length === 0 ? "The list shows no submission" : isListDone ? "All that the list shows are decided" : "How far you are"),
     make("p", { class: "counts" }, ["awarded", "notYet", "undecided"]
       .map((word) => `${all.filter((entry) => ruling(entry) === word).length} ${words[word]}`).join(", "),
@@ -43,11 +43,23 @@ function show() {
       countBy(all, (entry) => [...new Set(entry.findings)]).slice(0, 12).map(([id, count]) =>
         [button(id, () => { setFilter({ finding: id }); goOn(); }, { class: "link" }), String(count)])),
     ...table("Still open", ["Submission", "Proposed"],
-      undecided.slice(0, 50).map((entry) => [linkTo(entry.name), words[entry.verdict]])));
+      undecided.slice(0, 50).map((entry) => [linkTo(entry.name), words[entry.verdict]]))];
+}
+
+/// Draws the summary again where its words differ. The page stays where it is, and so does the focus.
+function refresh() {
+  const main = $("main");
+  if (main.dataset.view !== "summary") return;
+  const now = make("div", {}, ...drawn());
+  if (main.innerHTML === now.innerHTML) return;
+  const focused = main.contains(document.activeElement) ? document.activeElement.textContent : "";
+  main.replaceChildren(...now.childNodes);
+  if (focused) [...main.querySelectorAll("button")].find((one) => one.textContent === focused)?.focus({ preventScroll: true });
 }
 
 export function watchSummary() {
-  register("summary", { show, listChanged: () => {} });
+  register("summary", { show: () => fill(...drawn()) });
+  watch(refresh);
 }
 
 export function wholeList() {

@@ -6,11 +6,11 @@ const steps = []; // each a list of {submission, before, made}
 export const undone = new Map(); // name -> {text, said}: a message about the last undo, and the decision after it
 export const canUndo = () => steps.length > 0;
 
-/// Stores decisions, [{submission, made}], as one step of undo.
+/// Stores decisions, [{submission, made, over}], as one step of undo. `over`: see `enqueue`.
 export function record(items, who) {
   steps.push(items.map(({ submission, made }) => ({ submission, made, before: saidOf(standing(submission)) })));
   for (const { submission } of items) undone.delete(submission);
-  enqueue(items.map(({ submission, made }) => ({ submission, ...made })), who);
+  enqueue(items.map(({ submission, made, over }) => ({ submission, over, ...made })), who);
 }
 
 function wordsFor({ before, made }) {

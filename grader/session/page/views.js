@@ -2,7 +2,7 @@
 import { $ } from "./dom.js";
 import { model } from "./model.js";
 
-const views = {}; // name -> {show(options), listChanged?(), keys?}
+const views = {}; // name -> {show(options), listChanged?()}
 let place = { view: "summary", options: {} };
 const trail = [];
 const whenOpened = [];

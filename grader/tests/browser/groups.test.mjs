@@ -2,11 +2,12 @@
 // the address, and the time that a large class takes. TICKER is the program, TICKER_CLASS a graded class
 // (see session.mjs).
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { join } from "node:path";
 import { accessibilityFaults, launchBrowser, overflow } from "./harness.mjs";
-import { isSlowRun, killSessions, makeClass, onDisk, openSession, saved, shown, showing, startSession } from "./session.mjs";
+import { isSlowRun, killSessions, makeClass, onDisk, openSession, saved, shown, showing, startSession, ticker } from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -95,6 +96,33 @@ test("a bulk decision against the proposals asks why, and its words are kept bes
   const rows = onDisk(out);
   assert.deepEqual([rows[first].ruling, rows[first].comment], ["awarded", "Your own words."]);
   assert.deepEqual([rows[second].ruling, rows[second].comment], ["awarded", "shown at the desk"]);
+  await page.close();
+});
+
+test("a submission that comes leaves the contact sheet as it is, and is added to it", async () => {
+  const out = makeClass(60);
+  const session = await startSession(out);
+  const { page, problems } = await openAs(session, "ann", "#finding=bump.inverted-u&view=sheet");
+  await lookAtAll(page);
+  const [first, second, ...rest] = await listed(page);
+  const box = (name) => page.locator(".sheet-card", { hasText: name }).locator("input");
+  for (const name of [first, second]) await box(name).uncheck();
+  const last = page.locator(".sheet-card").last();
+  await last.scrollIntoViewIfNeeded();
+  const before = (await last.boundingBox()).y;
+  const late = "Jürgen, jr_2000"; // the list's order has it last
+  cpSync(join(out, first), join(out, late), { recursive: true });
+  const file = join(out, late, "result.json");
+  writeFileSync(file, JSON.stringify({ ...JSON.parse(readFileSync(file, "utf8")), submission: late }));
+  execFileSync(ticker, ["collect", out, "--quiet"]);
+  await page.locator(".sheet-card", { hasText: late }).waitFor();
+  assert.deepEqual(await page.locator(".sheet-card label").allTextContents(), [first, second, ...rest, late].map((name) => ` ${name}`));
+  for (const name of [first, second]) assert.ok(!await box(name).isChecked(), name);
+  assert.ok(await box(late).isChecked());
+  assert.equal((await page.locator(".sheet-card").nth(rest.length + 1).boundingBox()).y, before, "the page stays where it is");
+  await lookAtAll(page);
+  assert.equal(await page.locator(".sheet-card figure img").count(), 2 * (rest.length + 3));
+  assert.deepEqual(problems, []);
   await page.close();
 });
 

@@ -14,15 +14,16 @@ const folders = [];
 const samples = ["bump-inverted-u", "distributed-off-centre", "does-not-compile", "reference-bump", "two-versions"];
 const oddNames = ["Jürgen, jr", "O'Neill #1? 100%", "=1+1", "张 伟", "a&b;c"];
 
-/// Starts a session and waits for its address.
+/// Starts a session and waits for its address. `errors` grows with what it prints on stderr.
 export async function startSession(out) {
-  const process = spawn(ticker, ["session", out, "--quiet"], { stdio: ["ignore", "pipe", "inherit"] });
-  const lines = createInterface({ input: process.stdout });
-  const address = await new Promise((done) => lines.once("line", done));
+  const process = spawn(ticker, ["session", out, "--quiet"], { stdio: ["ignore", "pipe", "pipe"] });
   const session = {
-    process, address,
-    kill: (signal = "SIGKILL") => new Promise((done) => { process.once("exit", done); process.kill(signal); }),
+    process, errors: "",
+    kill: (signal = "SIGKILL") => new Promise((done) => { process.once("close", done); process.kill(signal); }),
   };
+  process.stderr.setEncoding("utf8").on("data", (text) => { session.errors += text; console.error(text.trimEnd()); });
+  const lines = createInterface({ input: process.stdout });
+  session.address = await new Promise((done) => lines.once("line", done));
   sessions.push(session);
   return session;
 }
@@ -51,6 +52,17 @@ export function makeClass(size, repairs = []) {
   execFileSync(ticker, ["collect", out, "--quiet"]);
   return out;
 }
+
+/// Replaces parts of a submission's result, {part: value} of the result so far, and takes it into the store.
+export function gradeAgain(out, name, change) {
+  const file = join(out, name, "result.json");
+  const result = JSON.parse(readFileSync(file, "utf8"));
+  writeFileSync(file, JSON.stringify({ ...result, ...change(result) }));
+  execFileSync(ticker, ["collect", out, "--quiet"]);
+}
+
+/// A later hand-in, for `gradeAgain`.
+export const otherFiles = ({ inputs }) => ({ inputs: { ...inputs, files: "other files" } });
 
 /// Ends what `startSession` started, and removes what `makeClass` made.
 export function killSessions() {

@@ -1,12 +1,13 @@
 // The ticking session in a browser. TICKER is the program, TICKER_CLASS a graded class, whose
 // results are copied under new names into larger classes.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { copyFileSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { accessibilityFaults, launchBrowser } from "./harness.mjs";
-import { decide, isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession, ticker } from "./session.mjs";
+import {
+  decide, gradeAgain, isSlowRun, killSessions, makeClass, openSession, otherFiles, saved, showing, shown, startSession,
+} from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -171,7 +172,7 @@ test("of decisions that are sent together only one that is too long is refused, 
   const { page } = await openSession(browser, session);
   await shown(page);
   const told = [];
-  page.on("dialog", (dialog) => { told.push(dialog.message()); dialog.accept(); });
+  page.on("dialog", (dialog) => told.push(dialog.message())); // `openPage` closes it
   const words = "张".repeat(5000);
   const notes = [{ file: "BumpySphere.cpp", line: 2, code: "//", text: "long ".repeat(1200) }];
   const far = Array.from({ length: 40 }, (_, i) => ({ file: "BumpySphere.cpp", line: i + 1, code: "//", text: words.slice(0, 2000) }));
@@ -216,10 +217,7 @@ test("a decision is about the files that were shown, and the footer tells of a l
   await page.getByLabel("You are").fill("ann");
   const name = await shown(page);
   await page.locator("main").focus();
-  const file = join(out, name, "result.json");
-  const result = JSON.parse(readFileSync(file, "utf8"));
-  writeFileSync(file, JSON.stringify({ ...result, inputs: { ...result.inputs, files: "other files" } }));
-  execFileSync(ticker, ["collect", out, "--quiet"]);
+  gradeAgain(out, name, otherFiles);
   await page.locator(".standing", { hasText: "handed in again" }).waitFor();
   await decide(page, "n");
   await saved(page);
@@ -229,6 +227,265 @@ test("a decision is about the files that were shown, and the footer tells of a l
   await showing(page, name);
   assert.doesNotMatch(await page.locator(".standing").textContent(), /handed in again/);
   assert.deepEqual(problems, []);
+  await page.close();
+});
+
+/// Opens the class as a ticker of this name, at its first undecided submission.
+async function openAs(session, who) {
+  const { page, problems } = await openSession(browser, session);
+  await page.getByLabel("You are").fill(who);
+  const name = await shown(page);
+  await page.locator("main").focus();
+  return { page, problems, name };
+}
+
+const standing = (page) => page.locator(".standing").textContent();
+const decisionOn = async (session, name) =>
+  (await (await fetch(`${session.address}class`)).json()).submissions.find((one) => one.name === name).decision;
+
+/// Writes a comment in the editor, for the student or on the line that has the focus.
+async function comment(page, key, text) {
+  await page.keyboard.press(key);
+  await page.locator("#comment[open]").waitFor();
+  await page.keyboard.type(text);
+  await page.keyboard.press("Control+Enter");
+}
+
+test("a comment does not make a decision about an earlier hand-in one about the new files", async () => {
+  const out = makeClass(2);
+  const session = await startSession(out);
+  const { page, problems, name } = await openAs(session, "ann");
+  await decide(page, "n");
+  await saved(page);
+  const { files } = await decisionOn(session, name);
+  gradeAgain(out, name, otherFiles);
+  const row = page.locator(".list button", { hasText: name });
+  await row.filter({ hasText: "changed since decided" }).waitFor();
+  await row.click();
+  await showing(page, name);
+  await page.locator("main").focus();
+  await comment(page, "c", "I will look on Monday.");
+  await saved(page);
+  assert.match(await standing(page), /other files than were decided about.*I will look on Monday/);
+  assert.equal((await decisionOn(session, name)).files, files);
+  await page.keyboard.press("u");
+  await page.locator(".standing", { hasText: "comment taken back" }).waitFor();
+  await saved(page);
+  assert.match(await standing(page), /other files than were decided about/);
+  assert.equal((await decisionOn(session, name)).files, files);
+  await decide(page, "n"); // once more, about what is shown
+  await saved(page);
+  assert.equal((await decisionOn(session, name)).files, "other files");
+  await page.keyboard.press("u");
+  await showing(page, name);
+  await saved(page);
+  assert.equal((await decisionOn(session, name)).files, files);
+  assert.deepEqual(problems, []);
+  await session.kill("SIGTERM");
+  assert.match(session.errors, new RegExp(`1 decision is about an earlier hand-in \\(${name}\\)`));
+  assert.match(readFileSync(join(out, "index.html"), "utf8"), /decided: not yet, about an earlier hand-in</);
+  await page.close();
+});
+
+test("words of another ticker that come while a dialog is open are not replaced unasked", async () => {
+  const session = await startSession(makeClass(5));
+  const [ann, bob] = [await openAs(session, "ann"), await openAs(session, "bob")];
+  const { name } = ann;
+  const conflict = ann.page.locator("#conflict[open]");
+  await ann.page.keyboard.press("c");
+  await comment(bob.page, "c", "from bob");
+  await ann.page.locator(".standing", { hasText: "from bob" }).waitFor();
+  await ann.page.keyboard.type("from ann");
+  await ann.page.keyboard.press("Control+Enter");
+  await conflict.waitFor();
+  assert.match(await conflict.textContent(), /bob decided about .* meanwhile: undecided \(“from bob”\)\. You said: undecided \(“from ann”\)/);
+  await conflict.getByRole("button", { name: "Keep theirs" }).click();
+  await saved(ann.page);
+  assert.equal((await decisionOn(session, name)).comment, "from bob");
+  await ann.page.keyboard.press("c");
+  assert.equal(await ann.page.locator("#comment textarea").inputValue(), "from ann", "not lost");
+  await ann.page.keyboard.press("Escape");
+
+  await ann.page.locator(".list button", { hasText: "Jürgen, jr_1000" }).click();
+  const other = await shown(ann.page, name);
+  await bob.page.locator(".list button", { hasText: other }).click();
+  await showing(bob.page, other);
+  await ann.page.locator("main").focus();
+  await ann.page.keyboard.press("a");
+  await ann.page.keyboard.type("at the desk");
+  await bob.page.locator("main").focus();
+  await bob.page.keyboard.press("l");
+  await comment(bob.page, "Enter", "a sign");
+  await ann.page.locator(".standing", { hasText: "commented by bob" }).waitFor();
+  await ann.page.keyboard.press("Enter");
+  await conflict.waitFor();
+  assert.match(await conflict.textContent(), /bob decided about .* meanwhile: undecided, in line \d+ of BumpySphere\.cpp “a sign”\./);
+  await conflict.getByRole("button", { name: "Put mine over it" }).click();
+  await saved(ann.page);
+  const { ruling, who, notes } = await decisionOn(session, other);
+  assert.deepEqual([ruling, who, notes.map(({ text }) => text)], ["awarded", "ann", ["a sign"]]);
+  for (const { page, problems } of [ann, bob]) { assert.deepEqual(problems, []); await page.close(); }
+});
+
+test("of several decisions that waited, the last is held against the other ticker's, and its words stay", async () => {
+  const session = await startSession(makeClass(5));
+  const [ann, bob] = [await openAs(session, "ann"), await openAs(session, "bob")];
+  const { name, page } = ann;
+  await page.route(/\/decide$/, (route) => route.abort());
+  await decide(page, "n");
+  await shown(page, name);
+  await page.keyboard.press("k");
+  await showing(page, name);
+  await comment(page, "c", "What took ann long to write.");
+  await page.locator(".state", { hasText: "2 decisions wait in this browser" }).waitFor();
+  await decide(bob.page, "n");
+  await saved(bob.page);
+  await page.unroute(/\/decide$/);
+  const conflict = page.locator("#conflict[open]");
+  await conflict.waitFor();
+  assert.match(await conflict.textContent(), /meanwhile: not yet\. You said: not yet \(“What took ann long to write\.”\)/);
+  await conflict.getByRole("button", { name: "Keep theirs" }).click();
+  await saved(page);
+  assert.deepEqual([(await decisionOn(session, name)).who, (await decisionOn(session, name)).comment], ["bob", ""]);
+  await page.keyboard.press("c");
+  assert.equal(await page.locator("#comment textarea").inputValue(), "What took ann long to write.");
+  for (const one of [ann, bob]) await one.page.close();
+});
+
+test("a key that is held down decides once", async () => {
+  const session = await startSession(makeClass(5));
+  const { page, name } = await openAs(session, "ann");
+  await page.keyboard.down("n");
+  const next = await shown(page, name);
+  for (let i = 0; i < 5; ++i) await page.keyboard.down("n");
+  await page.keyboard.up("n");
+  await saved(page);
+  assert.deepEqual(await rulings(session), { [name]: "notYet" });
+  await page.keyboard.press("n");
+  await shown(page, next);
+  await page.keyboard.down("u");
+  await showing(page, next);
+  for (let i = 0; i < 5; ++i) await page.keyboard.down("u");
+  await page.keyboard.up("u");
+  await saved(page);
+  assert.deepEqual(await rulings(session), { [name]: "notYet", [next]: "undecided" });
+  await page.close();
+});
+
+test("a comment on a line is taken back after it was saved", async () => {
+  const session = await startSession(makeClass(5));
+  const { page, name } = await openAs(session, "ann");
+  await page.keyboard.press("l");
+  await comment(page, "Enter", "a sign");
+  await saved(page);
+  await page.locator("main").focus();
+  await page.keyboard.press("u");
+  await page.locator(".standing", { hasText: "line comment taken back" }).waitFor();
+  await saved(page);
+  assert.deepEqual((await decisionOn(session, name)).notes, []);
+  await page.close();
+});
+
+test("a submission that is graded again can be loaded anew", async () => {
+  const out = makeClass(5);
+  const session = await startSession(out);
+  const { page, problems, name } = await openAs(session, "ann");
+  gradeAgain(out, name, () => ({ verdict: "needsReview" }));
+  await page.locator(".standing", { hasText: "graded again" }).waitFor();
+  await page.getByRole("button", { name: "Load it anew" }).click();
+  await page.locator("main .chips .badge.needsReview").first().waitFor();
+  await page.waitForFunction(() => !document.querySelector(".standing").textContent.includes("graded again"));
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("the footer is not said again when another ticker decides about another submission", async () => {
+  const session = await startSession(makeClass(5));
+  const [ann, bob] = [await openAs(session, "ann"), await openAs(session, "bob")];
+  await saved(ann.page);
+  await bob.page.keyboard.press("j");
+  const other = await shown(bob.page, bob.name);
+  await ann.page.evaluate(() => {
+    window.changes = 0;
+    new MutationObserver((records) => { window.changes += records.length; })
+      .observe(document.querySelector(".standing"), { childList: true, characterData: true, subtree: true });
+  });
+  await decide(bob.page, "n");
+  await ann.page.locator(".list li[data-ruling=notYet]", { hasText: other }).waitFor();
+  assert.equal(await ann.page.evaluate(() => window.changes), 0);
+  for (const { page } of [ann, bob]) await page.close();
+});
+
+test("the summary follows what another ticker decides, and keeps the focus", async () => {
+  const session = await startSession(makeClass(5));
+  const [ann, bob] = [await openAs(session, "ann"), await openAs(session, "bob")];
+  await ann.page.keyboard.press("s");
+  const link = ann.page.locator("main table button", { hasText: "bump.inverted-u" });
+  await link.focus();
+  await decide(bob.page, "n");
+  await saved(bob.page);
+  await ann.page.locator("main .counts", { hasText: "0 awarded, 1 not yet, 4 undecided of 5." }).waitFor();
+  await ann.page.getByRole("cell", { name: "bob" }).waitFor();
+  assert.ok(await link.evaluate((one) => one === document.activeElement));
+  for (const { page, problems } of [ann, bob]) { assert.deepEqual(problems, []); await page.close(); }
+});
+
+test("a second session over a class leaves the first one's address to it, and says so", async () => {
+  const out = makeClass(2);
+  const first = await startSession(out);
+  const { port } = new URL(first.address);
+  const second = await startSession(out);
+  assert.notEqual(new URL(second.address).port, port);
+  await second.kill("SIGTERM");
+  assert.ok(second.errors.includes(first.address), second.errors);
+  assert.match(second.errors, new RegExp(`--port ${port}\n`));
+  await first.kill();
+  assert.equal((await startSession(out)).address, first.address);
+});
+
+test("the full report shows the pictures that lie beside it", async () => {
+  const out = makeClass(5);
+  const session = await startSession(out);
+  const { page, name } = await openAs(session, "ann");
+  const [picture] = readdirSync(join(out, "Jürgen, jr_1000", "images"));
+  const report = join(out, "Jürgen, jr_1000", "report.html");
+  const address = `images/${encodeURIComponent(picture)}`;
+  writeFileSync(report, readFileSync(report, "utf8").replace("</h1>", `</h1><img id="beside" src="${address}" alt="">`));
+  await page.locator(".list button", { hasText: "Jürgen, jr_1000" }).click();
+  await shown(page, name);
+  await page.locator("main").focus();
+  const opened = browser.context.waitForEvent("page");
+  await page.keyboard.press("o");
+  const shownReport = await opened;
+  await shownReport.waitForLoadState();
+  const image = shownReport.locator("#beside");
+  await image.evaluate((one) => one.decode().catch(() => {}));
+  assert.ok(await image.evaluate((one) => one.naturalWidth) > 0);
+  assert.equal(await shownReport.evaluate(() => window.origin), "null", "and stays in its sandbox");
+  await shownReport.close();
+  await page.close();
+});
+
+test("drawings of submissions that are no longer shown are released", async () => {
+  const session = await startSession(makeClass(40));
+  const { page } = await openAs(session, "ann");
+  const devtools = await page.context().newCDPSession(page);
+  const canvases = async () => {
+    const { result } = await devtools.send("Runtime.evaluate", { expression: "HTMLCanvasElement.prototype" });
+    const { objects } = await devtools.send("Runtime.queryObjects", { prototypeObjectId: result.objectId });
+    const { result: detached } = await devtools.send("Runtime.callFunctionOn", { objectId: objects.objectId,
+      functionDeclaration: "function() { return this.filter((one) => !one.isConnected).length; }" });
+    return detached.value;
+  };
+  const names = (await page.locator(".list li .name").allTextContents()).filter((name) => name.startsWith("Jürgen"));
+  for (const name of names) {
+    await page.locator(".list button", { hasText: name }).click();
+    await showing(page, name);
+    await page.locator(".ray-stage canvas").first().waitFor();
+  }
+  const each = await page.locator(".ray-figure canvas").count();
+  assert.ok(each > 0);
+  assert.ok(await canvases() <= 2 * each, `${await canvases()} are kept of ${names.length} submissions`);
   await page.close();
 });
 
