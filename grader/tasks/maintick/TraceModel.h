@@ -2,6 +2,7 @@
 #define TICKER_TASKS_MAINTICK_TRACEMODEL_H
 
 #include <grader/tasks/maintick/Exact.h>
+#include <grader/tasks/support/Background.h>
 
 #include <optional>
 #include <span>
@@ -35,8 +36,6 @@ struct MirrorColours {
     double before = 1.0;  ///< the share of the mirror before it
     ColourRGB tint;       ///< the colour of the mirror's material
 };
-
-inline constexpr ColourRGB kBackground{0.001};
 
 /// How `trace` works. The defaults are right; each known mistake changes some of them.
 struct TraceWay {

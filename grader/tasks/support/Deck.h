@@ -9,6 +9,18 @@
 
 namespace ticker::tasks {
 
+/// Puts the values into a random order.
+template <class T>
+void shuffle(Draw& draw, std::vector<T>& values) {
+    for (std::size_t i = values.size(); i > 1; --i) {
+        const auto other = static_cast<std::size_t>(draw.whole(0, static_cast<int>(i) - 1));
+        // No std::swap, which a vector of bool does not have.
+        const T held = values[i - 1];
+        values[i - 1] = values[other];
+        values[other] = held;
+    }
+}
+
 /// Deals values in random order, all of them once before any comes again: whatever the seed, each
 /// is as frequent as the others.
 template <class T>
@@ -20,22 +32,14 @@ public:
         : draw_(&draw), values_(std::move(values)), next_(values_.size()) {}
 
     [[nodiscard]] T deal() {
-        if (next_ == values_.size()) shuffle();
+        if (next_ == values_.size()) {
+            shuffle(*draw_, values_);
+            next_ = 0;
+        }
         return values_[next_++];
     }
 
 private:
-    void shuffle() {
-        for (std::size_t i = values_.size(); i > 1; --i) {
-            const auto other = static_cast<std::size_t>(draw_->whole(0, static_cast<int>(i) - 1));
-            // No std::swap, which a vector of bool does not have.
-            const T held = values_[i - 1];
-            values_[i - 1] = values_[other];
-            values_[other] = held;
-        }
-        next_ = 0;
-    }
-
     Draw* draw_;
     std::vector<T> values_;
     std::size_t next_;

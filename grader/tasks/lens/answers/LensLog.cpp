@@ -151,6 +151,10 @@ Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y
         .normalised();
 }
 
+double halfPixel(int width) {
+    return std::tan(std::numbers::pi / 8.0) / width;
+}
+
 Vector3 focalPointOf(const LensPixel& pixel, const raytracer::RenderSettings& settings) {
     return pixel.pinhole * (settings.dofFocalPlane / pixel.pinhole.z);
 }

@@ -55,6 +55,9 @@ struct LensLog {
 /// Unit direction from the eye through the centre of a pixel, as `Camera` computes it.
 [[nodiscard]] Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y);
 
+/// Half of a pixel's side at a distance of 1, in a picture of this width.
+[[nodiscard]] double halfPixel(int width);
+
 /// The point where the pinhole ray of a pixel meets the focal plane.
 [[nodiscard]] Vector3 focalPointOf(const LensPixel& pixel,
                                    const raytracer::RenderSettings& settings);

@@ -7,16 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 
 namespace ticker::tasks {
 namespace {
-
-/// Half of a pixel of the handout's picture, at a distance of 1.
-double halfPixel() {
-    return std::tan(std::numbers::pi / 8.0) / raytracer::RenderSettings{}.width;
-}
 
 /// The pixel with the most rays; null if no ray was seen.
 const LensPixel* tellingPixel(const LensLog& log) {
@@ -81,7 +75,9 @@ ScatterPlot plotFocus(const LensLog& log) {
     plot.title = "Where the rays of a pixel cross the focal plane, as seen from its focal point";
     plot.unit = "world units";
     plot.expectedShape = ScatterPlot::Shape::disc;
-    plot.expectedHalfWidth = halfPixel() * log.asked->settings.dofFocalPlane;
+    // Of the handout's picture.
+    plot.expectedHalfWidth =
+        halfPixel(raytracer::RenderSettings{}.width) * log.asked->settings.dofFocalPlane;
     for (const LensPixel& pixel : log.pixels) {
         const Vector3 focal = focalPointOf(pixel, log.asked->settings);
         for (const LensRay& ray : pixel.rays) {

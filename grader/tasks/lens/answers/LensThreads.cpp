@@ -1,5 +1,6 @@
 #include <grader/tasks/lens/answers/LensThreads.h>
 
+#include <grader/tasks/support/Background.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <cmath>
@@ -11,9 +12,6 @@ namespace ticker::tasks {
 namespace {
 
 using probe::Event;
-
-// The colour of a ray that hits nothing.
-constexpr ColourRGB kNothingHit{0.001};
 
 bool isUsable(const Event& event) {
     const auto finite = [](const Vector3& v) {
@@ -91,7 +89,7 @@ private:
     }
     [[nodiscard]] ColourRGB ambientOf(int object) const {
         const auto objects = static_cast<int>(scene_.spheres.size() + scene_.planes.size());
-        if (object < 0 || object >= objects) return kNothingHit;
+        if (object < 0 || object >= objects) return kBackground;
         return materialOf(scene_, object).colour * scene_.ambientLighting;
     }
     void begin(const Event& event) {
@@ -119,7 +117,7 @@ private:
         cast_.push_back(cast);
         if (event.object >= 0) return;
         cast.untraced = true;
-        cast.ray.value = kNothingHit;
+        cast.ray.value = kBackground;
         entered_.push_back(cast);
     }
     void set(const Event& event) {

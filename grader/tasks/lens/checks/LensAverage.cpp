@@ -2,6 +2,7 @@
 #include <grader/tasks/lens/answers/LensMeans.h>
 #include <grader/tasks/lens/answers/RayColours.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
+#include <grader/tasks/support/Background.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
@@ -15,9 +16,6 @@
 
 namespace ticker::tasks {
 namespace {
-
-// The colour of a ray that hits nothing.
-constexpr ColourRGB kBackground{0.001};
 
 // Whether the colour is the mean of all rays, or of all but extra rays at the beginning or the end
 // that were traced for another purpose: one extra ray, or all beyond the number asked for.

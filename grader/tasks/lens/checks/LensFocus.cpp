@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ticker::tasks {
@@ -48,11 +47,6 @@ double farthestFromFocus(const LensLog& log) {
     return farthest;
 }
 
-/// Half of a pixel's side on the focal plane.
-double halfPixelOf(const raytracer::RenderSettings& settings) {
-    return std::tan(std::numbers::pi / 8.0) / settings.width * settings.dofFocalPlane;
-}
-
 Finding antialiased(const LensLog& log) {
     Finding finding = distributedFinding(
         kDofAntialiased, Severity::warn,
@@ -67,7 +61,7 @@ Finding antialiased(const LensLog& log) {
 
 bool staysInPixels(const LensLog& log) {
     const raytracer::RenderSettings& settings = log.asked->settings;
-    const double half = halfPixelOf(settings) + 0.1 * kFocusSlack;
+    const double half = halfPixel(settings.width) * settings.dofFocalPlane + 0.1 * kFocusSlack;
     const auto isInside = [&](const LensRay& ray, const Vector3& focal) {
         const double length = (focal.z - ray.origin.z) / ray.direction.z;
         const Vector3 beside = ray.origin + ray.direction * length - focal;

@@ -81,13 +81,6 @@ Ray addMirror(Draw& draw, SceneDescription& scene, const Ray& ray, const LinkPla
     return {P, (-ray.direction).reflectIn(N)};
 }
 
-template <class T>
-void shuffle(Draw& draw, std::vector<T>& objects) {
-    for (std::size_t i = objects.size(); i > 1; --i)
-        std::swap(objects[i - 1],
-                  objects[static_cast<std::size_t>(draw.whole(0, static_cast<int>(i) - 1))]);
-}
-
 /// Lights before the first surface. Highlights are broad, so that they hardly change along with P.
 void addLights(Draw& draw, SceneDescription& scene, const Plan& plan, const MirrorLink& first) {
     scene.ambientLighting = ColourRGB{0.0};

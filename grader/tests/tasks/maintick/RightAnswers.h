@@ -24,7 +24,7 @@ namespace ticker::tasks {
 [[nodiscard]] inline ColourRGB tracedRightly(const raytracer::SceneDescription& scene,
                                              const raytracer::Ray& ray, int bounces) {
     const auto links = maintick::linksOf(scene, ray, {});
-    if (links.empty()) return maintick::kBackground;
+    if (links.empty()) return kBackground;
     const double share = links[0].share;
     const ColourRGB own = maintick::directOf(scene, {links[0]})[0];
     if (bounces == 0 || share == 0.0) return own;
