@@ -44,7 +44,7 @@ double radiusOf(AimShape::Radius radius, double u) {
             return std::sqrt(u);
         case AimShape::Radius::flat:
             return flatRadius(u);
-        case AimShape::Radius::even:
+        case AimShape::Radius::uniform:
             break;
     }
     return u;

@@ -19,7 +19,7 @@ struct AimShape {
     enum class Radius {
         filling,  ///< cube root of a uniform number, as in an evenly filled ball
         outer,    ///< on the surface
-        even,     ///< a uniform number, so that the aims are denser in the middle
+        uniform,  ///< a uniform number, so that the aims are denser in the middle
         root,     ///< square root of a uniform number
         flat      ///< looks like an evenly filled disc from everywhere, as uniform sampling of the
                   ///< light's solid angle does
@@ -45,12 +45,12 @@ struct AimShape {
 
 inline constexpr AimShape AimShape::ball{};
 inline constexpr AimShape AimShape::surface{Radius::outer, Poles::none};
-inline constexpr AimShape AimShape::uniformRadius{Radius::even, Poles::none};
+inline constexpr AimShape AimShape::uniformRadius{Radius::uniform, Poles::none};
 inline constexpr AimShape AimShape::rootRadius{Radius::root, Poles::none};
 inline constexpr AimShape AimShape::flatDisc{Radius::flat, Poles::none};
-inline constexpr AimShape AimShape::polarHelper{Radius::even, Poles::z};
-inline constexpr AimShape AimShape::polarHelperX{Radius::even, Poles::x};
-inline constexpr AimShape AimShape::polarHelperY{Radius::even, Poles::y};
+inline constexpr AimShape AimShape::polarHelper{Radius::uniform, Poles::z};
+inline constexpr AimShape AimShape::polarHelperX{Radius::uniform, Poles::x};
+inline constexpr AimShape AimShape::polarHelperY{Radius::uniform, Poles::y};
 
 /// Shapes with poles are no worse than the original's helper, and are accepted like it: with a
 /// warning.

@@ -28,7 +28,7 @@ Finding crowdedAims(const AimShape& shape) {
     return distributedFinding(
         kShadowClustered, Severity::warn,
         std::string{"The points in the light were expected to be spread evenly; they crowd at "} +
-            (shape.radius == AimShape::Radius::even
+            (shape.radius == AimShape::Radius::uniform
                  ? "its centre and its poles, as those of the original course's helper do."
                  : "two poles, since the angle from there, not its cosine, is drawn evenly."));
 }

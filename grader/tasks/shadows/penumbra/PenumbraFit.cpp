@@ -17,7 +17,7 @@ using Expected = std::vector<ExpectedShares>;
 bool isLikeAnotherSize(AimShape shape) {
     using Radius = AimShape::Radius;
     if (shape.radius == Radius::root || shape.radius == Radius::flat) return true;
-    return shape.poles != AimShape::Poles::none && shape.radius != Radius::even;
+    return shape.poles != AimShape::Poles::none && shape.radius != Radius::uniform;
 }
 
 // From densest in the middle to densest at the rim.
