@@ -117,6 +117,25 @@ test("the drawing turns by mouse and by keys, and a surface can be asked", () =>
     assert.match(await page.locator(".ray-faces").textContent(), /light 1 as the point sees it: \d+ of 10 rays arrive/);
   }));
 
+test("only the main button of the mouse asks about a surface", () =>
+  withPage(async (page) => {
+    await quiet(page);
+    await clickPixel(page, 0.5, 0.6);
+    const canvas = page.locator(".ray-stage canvas");
+    const asked = asksTo(page, "point");
+    const position = await page.evaluate(() => {
+      rays.drawing.hidden = new Set(Object.keys(kRayKinds)); // no ray is in the way
+      const { orbit } = rays.drawing;
+      const [x, y] = [0.5, 0.25].map((share, i) => share * (i ? orbit.height : orbit.width));
+      for (let below = y; below < orbit.height; below += 5) if (surfaceAt(rays.drawing, x, below)) return { x, y: below };
+      return null;
+    });
+    for (const button of ["right", "middle"]) await canvas.click({ position, button });
+    await canvas.click({ position });
+    await page.waitForFunction(() => rays.drawing.data.about.startsWith("The point"));
+    assert.equal(asked.length, 1);
+  }));
+
 test("a click while a question waits is asked even if that question fails", () =>
   withPage(async (page, problems) => {
     await quiet(page);

@@ -110,6 +110,7 @@ class RayView {
   }
 
   grab(event) {
+    if (event.button !== 0) return;
     this.canvas.setPointerCapture(event.pointerId);
     this.held = { x: event.clientX, y: event.clientY, moved: 0 };
   }
