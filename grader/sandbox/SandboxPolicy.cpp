@@ -39,7 +39,7 @@ Limits readLimits(const JsonValue& object) {
     limits.stackBytes = wholeIn<std::uint64_t>(object, "stackBytes", 0.25 * kMega, 1000 * kMega);
     limits.processes = wholeIn<int>(object, "processes", 1, 1024);
     limits.openFiles = wholeIn<int>(object, "openFiles", 8, 1024);
-    limits.outputBytes = wholeIn<std::size_t>(object, "outputBytes", 1024, 64 * kMega);
+    limits.outputBytes = wholeIn<std::size_t>(object, "outputBytes", 1024, 1000 * kMega);
     return limits;
 }
 
@@ -64,13 +64,14 @@ UserRange readUsers(const JsonValue& object) {
 
 SandboxPolicy parsePolicy(const std::string& text, const std::string& name) {
     const JsonValue top = JsonValue::parse(text, name);
-    top.allowOnly({"users", "compile", "run", "submission", "decode"});
+    top.allowOnly({"users", "compile", "run", "submission", "decode", "match"});
     SandboxPolicy policy;
     policy.users = readUsers(top.at("users"));
     policy.compile = readLimits(top.at("compile"));
     policy.run = readLimits(top.at("run"));
     policy.submission = readTimes(top.at("submission"), policy.run);
     policy.decode = readLimits(top.at("decode"));
+    policy.match = readLimits(top.at("match"));
     return policy;
 }
 

@@ -22,6 +22,7 @@ struct SandboxPolicy {
     Limits run;             ///< one run of a submission that answers questions
     TimeLimits submission;  ///< all such runs of a submission together
     Limits decode;          ///< decoding a student's picture with our decoder
+    Limits match;           ///< comparing the files of a whole class with each other
 };
 
 /// The limits.json that is compiled into this program.

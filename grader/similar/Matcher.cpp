@@ -1,7 +1,6 @@
 #include <grader/similar/Matcher.h>
 
 #include <grader/sandbox/JobFolder.h>
-#include <grader/sandbox/SandboxPolicy.h>
 
 #include <raytracer/base/Error.h>
 
@@ -21,7 +20,6 @@ namespace fs = std::filesystem;
 
 // The shortest run of tokens that counts. Measured: 12 tokens are shared by chance too often.
 constexpr const char* kShortestRun = "16";
-constexpr std::size_t kMostOutput = 64U << 20U;
 
 int number(const std::ssub_match& match) {
     return std::stoi(match.str());
@@ -84,7 +82,8 @@ std::string matcherFailure(std::size_t files, const sandbox::Outcome& outcome,
     return text;
 }
 
-Matcher::Matcher(const sandbox::Sandbox& sandbox) : sandbox_(sandbox) {
+Matcher::Matcher(const sandbox::Sandbox& sandbox, const sandbox::Limits& limits)
+    : sandbox_(sandbox), limits_(limits) {
     if (findMatcher().empty())
         throw raytracer::InputError("sim_c++", 0,
                                     "is not installed; please run: sudo apt-get install "
@@ -107,8 +106,7 @@ std::string Matcher::run(const std::vector<std::string>& options,
     command.folder = "/texts";
     command.readOnly = {{"/usr", "/usr"}, {folder.path(), "/texts"}};
     command.policy = sandbox::Policy::compile;
-    command.limits = sandbox::defaultPolicy().compile;
-    command.limits.outputBytes = kMostOutput;
+    command.limits = limits_;
     sandbox::Outcome outcome = sandbox_.run(command);
     if (!outcome.succeeded())
         throw raytracer::Error(

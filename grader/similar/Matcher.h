@@ -2,6 +2,7 @@
 #define TICKER_SIMILAR_MATCHER_H
 
 #include <grader/sandbox/Sandbox.h>
+#include <grader/sandbox/SandboxPolicy.h>
 #include <grader/similar/Similar.h>
 
 #include <cstddef>
@@ -32,7 +33,8 @@ struct Share {
 class Matcher {
 public:
     /// @throws raytracer::InputError if it is not installed.
-    explicit Matcher(const sandbox::Sandbox& sandbox);
+    explicit Matcher(const sandbox::Sandbox& sandbox,
+                     const sandbox::Limits& limits = sandbox::defaultPolicy().match);
 
     /// Passages of each text that are in a known text. `right` counts the known ones.
     [[nodiscard]] std::vector<Match> against(const std::vector<std::string>& texts,
@@ -49,6 +51,7 @@ private:
                                   const std::vector<std::string>& known = {}) const;
 
     const sandbox::Sandbox& sandbox_;
+    sandbox::Limits limits_;
 };
 
 }  // namespace ticker::similar

@@ -55,8 +55,8 @@ TEST(SandboxPolicy, IsTheFileThatTheProgramWasBuiltWith) {
 }
 
 TEST(SandboxPolicy, GivesTheWallThreeTimesTheCpu) {
-    for (const Limits& limits :
-         {defaultPolicy().compile, defaultPolicy().run, defaultPolicy().decode})
+    const SandboxPolicy& policy = defaultPolicy();
+    for (const Limits& limits : {policy.compile, policy.run, policy.decode, policy.match})
         EXPECT_EQ(limits.wallSeconds, 3 * limits.cpuSeconds);
 }
 
@@ -65,6 +65,13 @@ TEST(SandboxPolicy, BoundsAllRunsOfASubmissionTogether) {
     const SandboxPolicy& policy = defaultPolicy();
     EXPECT_GE(policy.submission.cpuSeconds, 2 * policy.run.cpuSeconds);
     EXPECT_LE(policy.submission.wallSeconds, 90.0);
+}
+
+// A class of 600 took 26 s of the processor, and the time grows with the square of the class.
+TEST(SandboxPolicy, LetsAClassOf2000BeComparedHoweverLongOneFileMayCompile) {
+    EXPECT_GE(defaultPolicy().match.cpuSeconds, 3 * 26.0 * (2000.0 / 600.0) * (2000.0 / 600.0));
+    // A line for each pair in each direction.
+    EXPECT_GE(defaultPolicy().match.outputBytes, 2000U * 2000U * 52U);
 }
 
 TEST(SandboxPolicy, NamesTheFieldThatIsWrong) {

@@ -104,6 +104,21 @@ TEST_F(SimilarFiles, OnlyThePairsThatAreShownHaveTheirPassages) {
     EXPECT_TRUE(pairs.at(kMostPairs).passages.empty());
 }
 
+TEST_F(SimilarFiles, TheMatcherHasLimitsOfItsOwn) {
+    const sandbox::Limits& own = sandbox::defaultPolicy().match;
+    EXPECT_GT(own.cpuSeconds, sandbox::defaultPolicy().compile.cpuSeconds);
+    sandbox::Limits tight = own;
+    tight.outputBytes = 1;
+    try {
+        static_cast<void>(Matcher{sandbox_, tight}.shares({solution(0, "a"), solution(0, "b")}));
+        FAIL() << "no limit";
+    } catch (const raytracer::Error& error) {
+        EXPECT_NE(std::string{error.what()}.find("(stopped after 1 bytes of output)"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 /// Compares two files where no file may be longer than 16 bytes, in a process of its own.
 [[noreturn]] void compareWithoutRoom(const sandbox::Sandbox& sandbox) {
     const rlimit limit{16, 16};
