@@ -1,6 +1,7 @@
 #include <grader/repair/Candidates.h>
 
 #include <grader/base/JsonValue.h>
+#include <grader/base/Utf8.h>
 #include <grader/base/WholeFile.h>
 #include <grader/build/Program.h>
 #include <grader/repair/probe/Switches.h>
@@ -14,7 +15,6 @@
 #include <grader/base/FileDescriptor.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -145,11 +145,13 @@ fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
     return made.try_emplace(kit.folder(), kit, sandbox, limits).first->second.product.file;
 }
 
-void writeSource(const fs::path& file, std::string_view source) {
-    std::ofstream stream{file, std::ios::binary};
-    stream.write(source.data(), static_cast<std::streamsize>(source.size()));
-    if (!stream.flush()) throw raytracer::Error("cannot write " + file.string());
-    fs::permissions(file, fs::perms{0644});
+/// The file as the parser reads it. Its reply is JSON, which holds UTF-8 alone; every place stays.
+std::string parsedText(std::string_view source) {
+    std::string text{source};
+    if (asUtf8(text) != text)
+        std::ranges::replace_if(
+            text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
+    return text;
 }
 
 }  // namespace
@@ -158,7 +160,7 @@ Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox
                           const sandbox::Limits& limits, const std::string& file,
                           std::string_view source, const Wanted& wanted) {
     const sandbox::JobFolder sources;
-    writeSource(sources.path() / file, source);
+    sources.write(file, parsedText(source));
     const fs::path header = parsedHeader(kit, sandbox, limits);
     const Product product{kProduct};
     sandbox::Command command = parserCommand(kit, limits, product);

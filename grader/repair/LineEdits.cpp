@@ -1,4 +1,5 @@
 #include <grader/base/JsonLines.h>
+#include <grader/base/Utf8.h>
 #include <grader/repair/LineEdits.h>
 
 #include <algorithm>
@@ -29,6 +30,12 @@ std::size_t endOfLine(std::string_view source, std::size_t at) {
     return std::min(source.find('\n', at), source.size());
 }
 
+/// Lines as people read them, and as a result file keeps them.
+std::string shown(std::string_view lines) {
+    if (lines.ends_with('\r')) lines.remove_suffix(1);
+    return cleanText(lines);
+}
+
 }  // namespace
 
 std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<TextEdit>& edits) {
@@ -48,7 +55,7 @@ std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<Tex
         const std::string_view from = source.substr(begin, end - begin);
         if (auto to = withEdits(from, together)) {
             if (to->find_first_not_of(" \t\r\n") == std::string::npos) to->clear();
-            lines.push_back({lineOfByte(source, begin + 1), std::string{from}, *to});
+            lines.push_back({lineOfByte(source, begin + 1), shown(from), shown(*to)});
         }
     }
     return lines;

@@ -9,7 +9,8 @@
 
 namespace ticker::repair {
 
-/// Edits as people read them: the whole lines that they change, before and after.
+/// Edits as people read them: the whole lines that they change, before and after, as cleanText
+/// makes them and without the carriage return of their end.
 [[nodiscard]] std::vector<RepairEdit> lineEdits(std::string_view source,
                                                 const std::vector<TextEdit>& edits);
 

@@ -1,6 +1,8 @@
 #include <grader/repair/EditCost.h>
 #include <grader/repair/EditSets.h>
 #include <grader/repair/LineEdits.h>
+#include <grader/result/ProvenLine.h>
+#include <grader/result/ResultJson.h>
 
 #include <gtest/gtest.h>
 
@@ -138,6 +140,26 @@ TEST(LineEdits, LeavesNothingOfALineWhoseOnlyStatementIsLeftOut) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].from, "  b = a;");
     EXPECT_EQ(lines[0].to, "");
+}
+
+TEST(LineEdits, AreTheSameWhateverEndsTheLines) {
+    const auto lines = lineEdits("a;\r\nf(a,\r\n  b);\r\n", {{0, 1, "c"}, {6, 13, "c,\r\n  d"}});
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].from, "a;");
+    EXPECT_EQ(lines[0].to, "c;");
+    EXPECT_EQ(lines[1].line, 2);
+    EXPECT_EQ(lines[1].from, "f(a,\n  b);");
+    EXPECT_EQ(lines[1].to, "f(c,\n  d);");
+}
+
+// Otherwise a result that is read again would be another one than that which was stored.
+TEST(LineEdits, AreReadFromAResultFileAsTheyWereWritten) {
+    SubmissionResult result;
+    result.repairs = std::vector<Repair>{{"T1", "bump.flat", "BumpySphere.cpp",
+                                          lineEdits("a; // gr\xfcn\r\n", {{0, 1, "b"}}), true, ""}};
+    const SubmissionResult again = parseResultJson(resultJson(result), "result.json");
+    EXPECT_EQ(provenLines(again), provenLines(result));
+    EXPECT_EQ(again.repairs->front().edits.front().from, "a; // gr\uFFFDn");
 }
 
 TEST(LineEdits, NamesTheLineThatChangesWithinALongStatement) {
