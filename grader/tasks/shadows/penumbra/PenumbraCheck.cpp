@@ -35,13 +35,13 @@ double fittingSize(PenumbraExpectations& expectations, const std::vector<Penumbr
     return bestSize;
 }
 
-// The smallest number of rays, up to nine, for which all shares are fractions; 0 if there is no
+// The smallest number of rays below `asked` for which all shares are fractions; 0 if there is no
 // such number.
 // @param open      Share of the light in sight; some points must have fractions.
 // @param fromLens  Uses points seen from the lens: some code treats camera rays differently.
-int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open,
+int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open, int asked,
             bool fromLens) {
-    for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
+    for (int rays = 1; rays < asked; ++rays) {
         bool all = true;
         bool any = false;
         for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -58,9 +58,9 @@ int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>&
 }
 
 std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
-                                      const std::vector<double>& open) {
-    const int through = fewRays(seen, open, true);
-    const int otherwise = fewRays(seen, open, false);
+                                      const std::vector<double>& open, int asked) {
+    const int through = fewRays(seen, open, asked, true);
+    const int otherwise = fewRays(seen, open, asked, false);
     const int rays =
         through > 0 && otherwise > 0 ? std::min(through, otherwise) : std::max(through, otherwise);
     if (rays == 0) return std::nullopt;
@@ -73,9 +73,9 @@ std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
     if (rays > 1)
         return distributedFinding(
             kShadowTooFewRays, Severity::fail,
-            fmt::format("10 shadow rays were expected; the light at the edge of a shadow comes in "
+            fmt::format("{} shadow rays were expected; the light at the edge of a shadow comes in "
                         "steps of 1/{}.",
-                        rays));
+                        asked, rays));
     if (spread > 1e-9 && away > 0.15)
         return distributedFinding(kShadowAllOrNothing, Severity::fail,
                                   "At the edge of a shadow a fraction of the light was expected; "
@@ -189,7 +189,7 @@ PenumbraVerdict checkPenumbra(PenumbraExpectations& expectations,
     const PenumbraFit fit = fitAcceptedShapes(expectations, seen, darkRim || brightBeyond);
     PenumbraVerdict verdict;
     verdict.timesTheBound = fit.excess();
-    verdict.finding = checkFractions(seen, fit.openInBall);
+    verdict.finding = checkFractions(seen, fit.openInBall, asked.question.settings.shadowRayCount);
     if (verdict.finding) return verdict;
     verdict.ambiguous = sameEveryCall(seen);
     if (verdict.ambiguous) return verdict;

@@ -166,8 +166,23 @@ TEST(CheckPenumbra, CountsTheRaysByTheSteps) {
         const PenumbraVerdict verdict = judge(rays(count));
         ASSERT_EQ(idOf(verdict.finding), "shadow.too-few-rays") << count;
         EXPECT_NE(verdict.finding->message.find("1/" + std::to_string(count)), std::string::npos);
+        EXPECT_EQ(verdict.finding->message.find("10 shadow rays were expected"), 0U);
     }
     EXPECT_FALSE(judge(rays(11)).finding) << "an extra ray";
+}
+
+TEST(CheckPenumbra, NamesTheNumberOfRaysThatItAsksFor) {
+    PenumbraQuestion more = question();
+    more.question.settings.shadowRayCount = 14;
+    const auto twelve = [](double open, Draw& draw) {
+        int hits = 0;
+        for (int ray = 0; ray < 12; ++ray)
+            if (draw.between(0.0, 1.0) < open) ++hits;
+        return hits / 12.0;
+    };
+    const PenumbraVerdict verdict = judge(twelve, {}, more);
+    ASSERT_EQ(idOf(verdict.finding), "shadow.too-few-rays");
+    EXPECT_EQ(verdict.finding->message.find("14 shadow rays were expected"), 0U);
 }
 
 /// The question with fewer places in the penumbra: those that see a share of the light between
