@@ -38,14 +38,6 @@ Replies ordinaryReplies(const std::vector<RampTilts>& tilts,
     return replies;
 }
 
-double middleLength(const std::vector<Reply>& replies) {
-    std::vector<double> lengths;
-    lengths.reserve(replies.size());
-    for (const Reply& reply : replies)
-        lengths.push_back(reply.tilt.magnitude());
-    return median(lengths);
-}
-
 SenseShares countSenses(const std::vector<Reply>& replies, double deadLength) {
     SenseShares shares;
     for (const Reply& reply : replies) {
@@ -115,7 +107,7 @@ void describeBands(const std::vector<Reply>& replies, double deadLength, AxisRes
         std::vector<Reply> members;
         std::copy_if(replies.begin(), replies.end(), std::back_inserter(members),
                      [band](const Reply& reply) { return reply.band() == band; });
-        axis.bandStrength[band] = middleLength(members);
+        axis.bandStrength[band] = medianLength(members, &Reply::tilt);
     }
 }
 
@@ -200,7 +192,7 @@ bool leans(const std::vector<Reply>& replies) {
 
 AxisResponse measureAxis(const std::vector<Reply>& replies, double usualLength) {
     AxisResponse axis;
-    const double own = middleLength(replies);
+    const double own = medianLength(replies, &Reply::tilt);
     // An axis whose tilts are below a ten-thousandth of the other's counts as not tilted.
     const double deadLength = std::max(kDeadShare * own, 1e-4 * usualLength);
     axis.shares = countSenses(replies, deadLength);
@@ -228,7 +220,8 @@ bool Response::dependsOnLongitude() const {
 Response measureResponse(const std::vector<RampTilts>& tilts,
                          const Parametrisation& parametrisation) {
     const Replies replies = ordinaryReplies(tilts, parametrisation);
-    const double usual = std::max(middleLength(replies.onU), middleLength(replies.onV));
+    const double usual =
+        std::max(medianLength(replies.onU, &Reply::tilt), medianLength(replies.onV, &Reply::tilt));
     Response response;
     response.u = measureAxis(replies.onU, usual);
     response.v = measureAxis(replies.onV, usual);

@@ -51,8 +51,7 @@ Vector3 steadyMean(const Points& points, Which which, double reach) {
 /// Tolerance of `steadyMean`: the tilt of a slope of two bytes for each texel, measured on the
 /// ramp. Rounding changes a slope by one byte, the sphere's curvature by less than another.
 double reachOf(const Points& points, Which ramp) {
-    return 2.0 / kBytesPerTexel *
-           medianOf(points, [ramp](const RampTilts& t) { return (t.*ramp).magnitude(); });
+    return 2.0 / kBytesPerTexel * medianLength(points, ramp);
 }
 
 RampTilts meanOf(const Points& points, const Vector3& place) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -33,12 +32,9 @@ double shareBelow(const std::vector<Vector3>& normals, const std::vector<Vector3
     return below / static_cast<double>(smooth.size());
 }
 
+/// At least `kLeastTilt`, so that others can be divided by it.
 double middleLength(const std::vector<Vector3>& tilts) {
-    std::vector<double> lengths;
-    lengths.reserve(tilts.size());
-    for (const Vector3& tilt : tilts)
-        lengths.push_back(tilt.magnitude());
-    return std::max(median(std::move(lengths)), kLeastTilt);
+    return std::max(medianLength(tilts), kLeastTilt);
 }
 
 /// The mean of values over the mean of their sizes.

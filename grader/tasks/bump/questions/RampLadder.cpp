@@ -71,14 +71,6 @@ void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgemen
         judgement.ramps = judgeRamps(ladder.steep.shape, steep);
 }
 
-double middleTilt(const std::vector<Vector3>& tilts) {
-    std::vector<double> lengths;
-    lengths.reserve(tilts.size());
-    for (const Vector3& tilt : tilts)
-        lengths.push_back(tilt.magnitude());
-    return median(lengths);
-}
-
 double sharedShare(std::vector<Vector3> normals) {
     std::erase_if(normals, [](const Vector3& n) { return !isFinite(n); });
     const auto key = [](const Vector3& n) { return std::tuple(n.x, n.y, n.z); };
@@ -117,7 +109,7 @@ LadderJudgement judgeLadder(const RampLadder& ladder, const Answers& answers) {
     judgement.sharedNormals = sharedShare(answers.answer(ladder.gentle.uFlat).normals);
     for (const std::size_t flat :
          {ladder.gentle.uFlat, ladder.gentle.vFlat, ladder.steep.uFlat, ladder.steep.vFlat})
-        judgement.flatTilt = std::max(judgement.flatTilt, middleTilt(answers.tilts(flat)));
+        judgement.flatTilt = std::max(judgement.flatTilt, medianLength(answers.tilts(flat)));
     return judgement;
 }
 

@@ -3,11 +3,11 @@
 
 #include <grader/probe/Examinee.h>
 #include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/support/Finite.h>
 #include <questions/BumpQuestions.h>
 
 #include <raytracer/math/Vector3.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,10 +26,6 @@ struct Ball {
 
     [[nodiscard]] Vector3 at(const Vector3& direction) const { return centre + direction * radius; }
 };
-
-[[nodiscard]] inline bool isFinite(const Vector3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 using raytracer::questions::tiltOf;
 
