@@ -6,6 +6,7 @@
 #include <grader/tasks/bump/Examination.h>
 #include <grader/tasks/bump/words/BumpWords.h>
 #include <grader/tasks/bump/words/Diagnosis.h>
+#include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
 
@@ -19,49 +20,46 @@ namespace {
 using namespace bump;
 using probe::ProcessEnd;
 
-struct EndWords {
-    std::string_view id;
-    const char* message;
-    std::string_view hint;
-};
-
-EndWords wordsFor(ProcessEnd::Kind kind) {
+std::string_view messageOf(ProcessEnd::Kind kind) {
     switch (kind) {
         case ProcessEnd::Kind::crashed:
-            return {kRunCrashed.id, "The program crashed while it answered questions for normals",
-                    "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
-                    "of an array or a vector, and for a function that calls itself without end."};
+            return "The program crashed while it answered questions for normals";
         case ProcessEnd::Kind::exitedEarly:
-            return {kRunExitedEarly.id, "The program left before the last question",
-                    "Do not call exit() or the like."};
+            return "The program left before the last question";
         case ProcessEnd::Kind::timedOut:
-            return {kRunTimedOut.id, "getNormalAt took too long: the time was up",
-                    "Look for a loop that does not end."};
+            return "getNormalAt took too long: the time was up";
         case ProcessEnd::Kind::memory:
-            return {
-                kRunMemory.id, "The program needs more memory than it may have",
-                "Look for a container that only grows, and for an array that is far too large."};
+            return "The program needs more memory than it may have";
         case ProcessEnd::Kind::outputLimit:
-            return {kRunOutputLimit.id, "The program printed too much",
-                    "Remove the debugging output."};
+            return "The program printed too much";
         case ProcessEnd::Kind::forbiddenCall:
-            return {kRunForbiddenCall.id,
-                    "The program asked the system for something that a renderer does not need",
-                    "No files, processes or network connections are needed here."};
+            return "The program asked the system for something that a renderer does not need";
         case ProcessEnd::Kind::finished:
         case ProcessEnd::Kind::ourFault:
             break;
     }
-    return {kRunNoAnswer.id, "The program ended without answering every question",
-            "Make sure that getNormalAt returns."};
+    return "The program ended without answering every question";
 }
 
-TaskJudgement blocked(EndWords words, const std::string& detail) {
+/// The hints of other tasks, except where getNormalAt has causes of its own: no rays, no x and y.
+BadEnd endOf(ProcessEnd::Kind kind) {
+    BadEnd end = badEnd(kind);
+    end.seen = messageOf(kind);
+    if (kind == ProcessEnd::Kind::crashed)
+        end.hint =
+            "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
+            "of an array or a vector, and for a function that calls itself without end.";
+    if (kind == ProcessEnd::Kind::timedOut) end.hint = "Look for a loop that does not end.";
+    if (kind == ProcessEnd::Kind::finished) end.hint = "Make sure that getNormalAt returns.";
+    return end;
+}
+
+TaskJudgement blocked(const BadEnd& end, const std::string& detail) {
     Finding finding;
-    finding.id = words.id;
+    finding.id = end.id;
     finding.message =
-        fmt::format("{}{}.", words.message, detail.empty() ? "" : fmt::format(" ({})", detail));
-    finding.hint = words.hint;
+        fmt::format("{}{}.", end.seen, detail.empty() ? "" : fmt::format(" ({})", detail));
+    finding.hint = end.hint;
     if (!detail.empty()) finding.evidence.emplace_back("detail", detail);
     return {TaskState::blocked, finding.message, {finding}, false};
 }
@@ -78,7 +76,7 @@ std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& con
                         kBumpThreadsMixed.hint},
                        end.detail);
     if (end.kind != ProcessEnd::Kind::finished || conduct.missing)
-        return blocked(wordsFor(end.kind), end.detail);
+        return blocked(endOf(end.kind), end.detail);
     return std::nullopt;
 }
 

@@ -12,13 +12,27 @@ namespace {
 using probe::AnswerState;
 using Kind = probe::ProcessEnd::Kind;
 
-struct EndText {
-    std::string_view id;
-    const char* seen;
-    const char* hint;
+// State and message of the first incomplete answer; `answered` if all are complete.
+struct Missing {
+    AnswerState state = AnswerState::answered;
+    std::string message;
 };
 
-EndText textOf(Kind kind) {
+Missing firstMissing(const probe::Run& run) {
+    for (const probe::Answer& answer : run.answers) {
+        const Missing missing = std::visit(
+            [](const auto& given) {
+                return Missing{given.state, given.message};
+            },
+            answer);
+        if (missing.state != AnswerState::answered) return missing;
+    }
+    return {};
+}
+
+}  // namespace
+
+BadEnd badEnd(Kind kind) {
     switch (kind) {
         case Kind::crashed:
             return {kRunCrashed.id, "it crashed",
@@ -48,26 +62,6 @@ EndText textOf(Kind kind) {
     return {kRunNoAnswer.id, "no answer came", "Make sure that the function returns."};
 }
 
-// State and message of the first incomplete answer; `answered` if all are complete.
-struct Missing {
-    AnswerState state = AnswerState::answered;
-    std::string message;
-};
-
-Missing firstMissing(const probe::Run& run) {
-    for (const probe::Answer& answer : run.answers) {
-        const Missing missing = std::visit(
-            [](const auto& given) {
-                return Missing{given.state, given.message};
-            },
-            answer);
-        if (missing.state != AnswerState::answered) return missing;
-    }
-    return {};
-}
-
-}  // namespace
-
 std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run, std::string_view function) {
     TaskJudgement judgement;
     if (run.end.kind == Kind::ourFault) {
@@ -79,20 +73,20 @@ std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run, std::string_
     const bool hasAll = missing.state == AnswerState::answered;
     if (hasAll && run.end.kind == Kind::finished) return std::nullopt;
 
-    EndText text = textOf(run.end.kind);
-    std::string seen = text.seen;
+    BadEnd end = badEnd(run.end.kind);
+    std::string seen{end.seen};
     if (missing.state == AnswerState::threw) {
-        text = {kRunCrashed.id, "",
-                "Find out where the exception comes from; no handler catches it."};
+        end = {kRunCrashed.id, "",
+               "Find out where the exception comes from; no handler catches it."};
         seen = fmt::format("an exception came out of it: {}", missing.message);
     } else if (!run.end.detail.empty()) {
         seen += " (" + run.end.detail + ")";
     }
     Finding finding;
-    finding.id = text.id;
+    finding.id = end.id;
     finding.severity = Severity::fail;
     finding.message = fmt::format("{} was asked for values; {}.", function, seen);
-    finding.hint = text.hint;
+    finding.hint = end.hint;
     judgement.state = TaskState::blocked;
     judgement.reason = finding.message;
     judgement.findings.push_back(std::move(finding));
