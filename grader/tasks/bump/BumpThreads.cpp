@@ -1,12 +1,13 @@
 #include <grader/tasks/bump/BumpThreads.h>
 
 #include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/support/ThreadPictures.h>
 
 #include <raytracer/scene/SceneDescription.h>
 
 #include <cmath>
 #include <memory>
-#include <variant>
+#include <utility>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -33,24 +34,17 @@ raytracer::SceneDescription drawBumpySpheres(Draws& draws) {
     return scene;
 }
 
-const probe::RenderAnswer* renderedIn(const probe::Run& run, std::size_t at) {
-    if (at >= run.answers.size()) return nullptr;
-    const auto* answer = std::get_if<probe::RenderAnswer>(&run.answers[at]);
-    const bool isWhole = answer != nullptr && answer->state == probe::AnswerState::answered &&
-                         answer->images.size() == std::size_t{kThreadedPictures};
-    return isWhole ? answer : nullptr;
-}
-
-/// Whether two channels differ by more than rounding. Two NaNs are equal: a normal that is NaN at
+/// Whether two channels differ by rounding at most. Two NaNs are equal: a normal that is NaN at
 /// some point is so with any number of threads.
-bool differ(double one, double other) {
+bool isSameChannel(double one, double other) {
     constexpr double kRounding = 1e-6;
-    if (one == other || (std::isnan(one) && std::isnan(other))) return false;
-    return !(std::abs(one - other) <= kRounding);
+    if (one == other || (std::isnan(one) && std::isnan(other))) return true;
+    return std::abs(one - other) <= kRounding;
 }
 
-bool differ(const raytracer::ColourRGB& one, const raytracer::ColourRGB& other) {
-    return differ(one.r, other.r) || differ(one.g, other.g) || differ(one.b, other.b);
+bool isSameColour(const raytracer::ColourRGB& one, const raytracer::ColourRGB& other) {
+    return isSameChannel(one.r, other.r) && isSameChannel(one.g, other.g) &&
+           isSameChannel(one.b, other.b);
 }
 
 }  // namespace
@@ -63,24 +57,14 @@ std::vector<probe::Question> drawThreadedRenders(std::uint64_t seed) {
     question.settings.height = kThreadedHeight;
     question.settings.bounces = 0;
     question.repetitions = kThreadedPictures;
-    question.eventCapacity = 64;  // the log makes threads wait for each other
     std::vector<probe::Question> questions;
-    for (const int threads : {1, 2}) {
-        question.settings.threads = threads;
-        questions.emplace_back(question);
-    }
+    addWithOneThreadAndWithTwo(questions, std::move(question));
     return questions;
 }
 
 std::size_t pixelsThatThreadsChange(const probe::Run& run, std::size_t first) {
-    const probe::RenderAnswer* alone = renderedIn(run, first);
-    const probe::RenderAnswer* together = renderedIn(run, first + 1);
-    if (alone == nullptr || together == nullptr) return 0;
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < alone->images.size(); ++k)
-        for (std::size_t i = 0; i < alone->images[k].size(); ++i)
-            if (differ(alone->images[k][i], together->images[k].at(i))) ++count;
-    return count;
+    const auto pictures = threadPicturesAt(run, first, kThreadedPictures);
+    return pictures ? pictures->differing(isSameColour) : 0;
 }
 
 }  // namespace ticker::tasks::bump

@@ -1,20 +1,18 @@
 #include <grader/tasks/maintick/Exact.h>
 #include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/support/Draw.h>
+#include <grader/tasks/support/ThreadPictures.h>
 
 #include <fmt/core.h>
 
-#include <variant>
+#include <cstddef>
 #include <vector>
 
 namespace ticker::tasks::maintick {
 namespace {
 
-using probe::RenderAnswer;
-using probe::RenderQuestion;
-
 // On a busy machine the threads of one picture may hardly meet.
-constexpr std::size_t kPictures = 4;
+constexpr int kPictures = 4;
 
 raytracer::Material drawMaterial(Draw& draw, double reflectivity) {
     raytracer::Material material;
@@ -41,35 +39,21 @@ raytracer::SceneDescription drawRoom(Draw& draw, Shows shows) {
     return scene;
 }
 
-RenderQuestion renderOf(const raytracer::SceneDescription& scene, int threads) {
-    RenderQuestion question;
+probe::RenderQuestion renderOf(const raytracer::SceneDescription& scene) {
+    probe::RenderQuestion question;
     question.scene = scene;
     question.settings.width = 16;
     question.settings.height = 12;
-    question.settings.threads = threads;
-    question.repetitions = static_cast<int>(kPictures);
-    question.eventCapacity = 64;  // the log makes threads wait for each other
+    question.repetitions = kPictures;
     return question;
 }
 
-const RenderAnswer* picturesOf(const probe::Run& run, std::size_t question) {
-    if (question >= run.answers.size()) return nullptr;
-    const auto* answer = std::get_if<RenderAnswer>(&run.answers[question]);
-    const bool isRendered = answer != nullptr && answer->state == probe::AnswerState::answered &&
-                            !answer->wrongSize && answer->images.size() == kPictures;
-    return isRendered ? answer : nullptr;
-}
-
 /// How many pixels differ; empty if a picture is missing.
-std::optional<int> differing(const probe::Run& run, std::size_t question) {
-    const auto* alone = picturesOf(run, question);
-    const auto* together = picturesOf(run, question + 1);
-    if (alone == nullptr || together == nullptr) return {};
-    int count = 0;
-    for (std::size_t k = 0; k < kPictures; ++k)
-        for (std::size_t i = 0; i < alone->images[k].size(); ++i)
-            if (!isNear(together->images[k].at(i), alone->images[k][i])) ++count;
-    return count;
+std::optional<std::size_t> differing(const probe::Run& run, std::size_t question) {
+    const auto pictures = threadPicturesAt(run, question, kPictures);
+    if (!pictures) return std::nullopt;
+    return pictures->differing(
+        [](const ColourRGB& alone, const ColourRGB& together) { return isNear(together, alone); });
 }
 
 }  // namespace
@@ -80,14 +64,12 @@ std::optional<Finding> checkThreads(probe::Examinee& examinee, std::uint64_t see
     std::vector<probe::Question> questions;
     for (const Shows each : {Shows::floor, Shows::shadows, Shows::mirrors}) {
         if (each > shows) break;
-        const raytracer::SceneDescription scene = drawRoom(draw, each);
-        for (const int threads : {1, 2})
-            questions.emplace_back(renderOf(scene, threads));
+        addWithOneThreadAndWithTwo(questions, renderOf(drawRoom(draw, each)));
     }
     const probe::Run run = examinee.ask(questions);
     for (std::size_t i = 0; i + 2 < questions.size(); i += 2)
         if (differing(run, i) != 0) return std::nullopt;
-    const std::optional<int> count = differing(run, questions.size() - 2);
+    const std::optional<std::size_t> count = differing(run, questions.size() - 2);
     if (!count || *count == 0) return std::nullopt;
     return failure(
         text,
