@@ -3,13 +3,18 @@
 #include <grader/cli/verbs/Verb.h>
 #include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/Obstacle.h>
+#include <grader/sandbox/RunAt.h>
+
+#include <raytracer/base/Error.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <thread>
 
 namespace ticker::cli {
@@ -68,29 +73,48 @@ void showProcessor() {
                     known.empty() ? " no vector unit that the oracle knows" : known));
 }
 
-bool showDisk() {
+/// Prints what is wrong with the disk. @return  False.
+bool showNoDisk(const std::string& why) {
+    row("disk", false, why);
+    return false;
+}
+
+/// Looks at the folder that the sandbox uses. It takes another one than TMPDIR where that will not
+/// do, and other variables than TMPDIR mean nothing to it.
+bool showDisk(const std::filesystem::path& folder) {
     constexpr std::uintmax_t kEnough = 1U << 30U;
     std::error_code error;
-    const auto folder = std::filesystem::temp_directory_path(error);
-    if (error) {
-        row("disk", false,
-            fmt::format("{} for temporary files: {}; set TMPDIR to a folder, or unset it",
-                        folder.empty() ? std::string{"no folder"} : folder.string(),
-                        error.message()));
-        return false;
-    }
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread runs
+    const char* const chosen = std::getenv("TMPDIR");
+    if (chosen != nullptr && !std::filesystem::is_directory(chosen, error))
+        return showNoDisk(
+            fmt::format("TMPDIR is {}, which is no folder; set TMPDIR to a folder, or unset it",
+                        *chosen == '\0' ? "empty" : chosen));
+    const bool isUnused = chosen != nullptr && !std::filesystem::equivalent(chosen, folder, error);
     const auto space = std::filesystem::space(folder, error);
     const bool enough = !error && space.available >= kEnough;
     const std::string found =
         error ? error.message()
               : fmt::format("{:.1f} GB free", static_cast<double>(space.available) / 1e9);
     row("disk", enough,
-        fmt::format("{} for temporary files in {}{}", found, folder.string(),
+        fmt::format("{} for temporary files in {}{}{}", found, folder.string(),
+                    isUnused ? fmt::format(", not in TMPDIR ({}): not writable, not reachable by "
+                                           "every user, or mounted noexec",
+                                           chosen)
+                             : "",
                     enough ? ""
                            : fmt::format("; {:.1f} GB are enough: free some, or set TMPDIR to a "
                                          "folder of another disk",
                                          static_cast<double>(kEnough) / 1e9)));
     return enough;
+}
+
+bool showDisk() {
+    try {
+        return showDisk(sandbox::staging().path().parent_path());
+    } catch (const raytracer::Error& error) {
+        return showNoDisk(error.what());
+    }
 }
 
 raytracer::ExitCode examine() {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -123,12 +125,38 @@ TEST_F(CommandMessages, AdviceNamesTheCommandThatWasTyped) {
 }
 
 TEST_F(CommandMessages, DoctorNamesTheFolderOfTemporaryFiles) {
+    fs::permissions(folder_.path(), fs::perms{0711});
     setenv("TMPDIR", folder_.path().c_str(), 1);
     const Ran ran = run("doctor");
     unsetenv("TMPDIR");
     EXPECT_NE(ran.output.find(" GB free for temporary files in " + folder_.path().string()),
               std::string::npos)
         << ran.output;
+}
+
+// Jobs of root have another uid.
+TEST_F(CommandMessages, DoctorSaysThatTheSandboxDoesNotUseTmpdir) {
+    if (geteuid() != 0) GTEST_SKIP() << "only the jobs of root have another uid";
+    fs::permissions(folder_.path(), fs::perms{0700});
+    setenv("TMPDIR", folder_.path().c_str(), 1);
+    const Ran ran = run("doctor");
+    unsetenv("TMPDIR");
+    EXPECT_NE(ran.output.find(", not in TMPDIR (" + folder_.path().string() + ")"),
+              std::string::npos)
+        << ran.output;
+}
+
+// Other programs obey TMP, the sandbox does not.
+TEST_F(CommandMessages, DoctorNamesTheDiskThatTheSandboxUses) {
+    const char* const before = std::getenv("TMPDIR");
+    const std::string usual = before == nullptr ? "" : before;
+    unsetenv("TMPDIR");
+    setenv("TMP", folder_.path().c_str(), 1);
+    const Ran ran = run("doctor");
+    unsetenv("TMP");
+    if (before != nullptr) setenv("TMPDIR", usual.c_str(), 1);
+    EXPECT_NE(ran.output.find(" for temporary files in /"), std::string::npos) << ran.output;
+    EXPECT_EQ(ran.output.find(folder_.path().string()), std::string::npos) << ran.output;
 }
 
 TEST_F(CommandMessages, RepairsWritesNothingWhereNoEntryFits) {

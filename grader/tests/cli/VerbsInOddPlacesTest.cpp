@@ -96,10 +96,12 @@ TEST_F(VerbsInOddPlaces, CoverageIsAVerbOfTheLab) {
 }
 
 TEST_F(VerbsInOddPlaces, DoctorSaysThatTmpdirIsWrong) {
-    setenv("TMPDIR", (folder_.path() / "nowhere").c_str(), 1);
+    const std::string nowhere = (folder_.path() / "nowhere").string();
+    setenv("TMPDIR", nowhere.c_str(), 1);
     const Ran ran = run("doctor");
     unsetenv("TMPDIR");
     EXPECT_EQ(ran.status, 1) << ran.errors;
+    EXPECT_NE(ran.output.find(nowhere), std::string::npos) << ran.output;
     EXPECT_NE(ran.output.find("set TMPDIR to a folder"), std::string::npos) << ran.output;
     EXPECT_EQ(ran.errors, "");
 }
