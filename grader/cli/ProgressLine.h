@@ -8,11 +8,18 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace ticker::cli {
 
 /// True if stderr is a terminal, NO_COLOR is not set and quiet is off.
 [[nodiscard]] bool mayDraw(bool quiet);
+
+/// What draws `text` over the last line of a terminal of so many columns. It is cut, since what
+/// wraps stays on the screen when the line is drawn anew.
+/// @param text     Of ASCII.
+/// @param columns  0: not known; nothing is cut.
+[[nodiscard]] std::string drawnLine(std::string_view text, std::size_t columns);
 
 /// A progress line of a class on stderr: bar, rate, time left, counts. Threads may share it. Draws
 /// nothing if drawing is off.
