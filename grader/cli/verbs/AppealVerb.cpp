@@ -29,18 +29,36 @@ namespace fs = std::filesystem;
 struct AppealOptions {
     std::string number;
     std::string out;
+    std::string submission;  ///< empty: the one that has the number
     GradeOptions grade;
 };
 
-SubmissionResult resultWith(const std::string& number, const fs::path& out) {
-    std::vector<SubmissionResult> found = readResults(out);
-    std::erase_if(found, [&](const SubmissionResult& one) { return appealNumber(one) != number; });
+std::string namesOf(const std::vector<SubmissionResult>& results) {
+    std::string names;
+    for (const SubmissionResult& result : results)
+        names += (names.empty() ? "" : ", ") + report::escapeLine(result.submission);
+    return names;
+}
+
+/// Eight digits are few: in a class of thousands two results may have the same.
+SubmissionResult resultWith(const AppealOptions& options) {
+    std::vector<SubmissionResult> found = readResults(options.out);
+    std::erase_if(found, [&](const SubmissionResult& one) {
+        return appealNumber(one) != options.number ||
+               (!options.submission.empty() && one.submission != options.submission);
+    });
     if (found.size() == 1) return std::move(found.front());
+    const std::string of =
+        options.submission.empty() ? "" : " of " + report::escapeLine(options.submission);
     throw raytracer::InputError(
-        out.string(), 0,
-        fmt::format("{} of its results have the number {}; expected one, as the student's page "
-                    "shows it (\"1234-5678\")",
-                    found.size(), number));
+        options.out, 0,
+        found.empty()
+            ? fmt::format("0 of its results{} have the number {}; expected one, as the student's "
+                          "page shows it (\"1234-5678\")",
+                          of, options.number)
+            : fmt::format("{} of its results have the number {}: {}; --submission NAME says which "
+                          "one is meant",
+                          found.size(), options.number, namesOf(found)));
 }
 
 /// Verdicts can only be compared if they were made in the same way. The level of the sandbox does
@@ -103,7 +121,7 @@ intake::Submission handedIn(const SubmissionResult& first, const fs::path& folde
 }
 
 raytracer::ExitCode appeal(const AppealOptions& options) {
-    const SubmissionResult first = resultWith(options.number, options.out);
+    const SubmissionResult first = resultWith(options);
     const fs::path folder = fs::path{options.out} / first.submission;
     GradeOptions grade = options.grade;
     grade.exercise = exerciseOf(first).name;
@@ -134,6 +152,8 @@ Run addAppeal(CLI::App& app, const GlobalOptions& /*global*/) {
         "appeal", "Grade a result again, with the same questions and with fresh ones");
     verb->add_option("number", options->number, "The number on the student's page")->required();
     verb->add_option("out", options->out, "Folder that ticker grade wrote")->required();
+    verb->add_option("--submission", options->submission,
+                     "Name of the submission, where more than one has the number");
     addJudgingOptions(*verb, options->grade);
     return [options] { return appeal(*options); };
 }

@@ -1,4 +1,10 @@
+#include <grader/result/AppealNumber.h>
+#include <grader/result/ResultJson.h>
+
 #include "GradedClass.h"
+
+#include <map>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -68,6 +74,45 @@ TEST_F(Appeal, JudgesAsTheFirstResultWasJudged) {
     EXPECT_EQ(run(appealCommand("=1+1", {"--option", "T1", "--sandbox", "b"}), 2).size(), 0U);
     EXPECT_NE(errors().find("--sandbox"), std::string::npos) << errors();
     EXPECT_EQ(run(appealCommand("=1+1", {"--option", "T1"})).size(), 5U);
+}
+
+/// Two submissions whose results have the same number.
+std::pair<SubmissionResult, SubmissionResult> withOneNumber() {
+    std::map<std::string, SubmissionResult> byNumber;
+    for (int i = 0;; ++i) {
+        SubmissionResult result;
+        result.submission = "ann " + std::to_string(i);
+        const auto [found, isNew] = byNumber.try_emplace(appealNumber(result), result);
+        if (!isNew) return {found->second, result};
+    }
+}
+
+TEST_F(Appeal, AsksWhichOneIsMeantWhereTwoHaveTheNumber) {
+    const auto [one, other] = withOneNumber();
+    for (const SubmissionResult& result : {one, other}) {
+        fs::create_directories(at("out") / result.submission);
+        std::ofstream{at("out") / result.submission / "result.json"} << resultJson(result);
+    }
+    const std::vector<std::string> command{"appeal", appealNumber(one), at("out").string()};
+    run(command, 2);
+    EXPECT_NE(errors().find("2 of its results have the number"), std::string::npos) << errors();
+    EXPECT_NE(errors().find("--submission"), std::string::npos) << errors();
+    for (const SubmissionResult& result : {one, other}) {
+        EXPECT_NE(errors().find(result.submission), std::string::npos) << errors();
+    }
+    for (const SubmissionResult& result : {one, other}) {
+        std::vector<std::string> chosen = command;
+        chosen.insert(chosen.end(), {"--submission", result.submission});
+        run(chosen, 2);
+        EXPECT_NE(errors().find(result.submission + ": does not hold all that was handed in"),
+                  std::string::npos)
+            << errors();
+    }
+    std::vector<std::string> nobody = command;
+    nobody.insert(nobody.end(), {"--submission", "nobody"});
+    run(nobody, 2);
+    EXPECT_NE(errors().find("0 of its results of nobody have the number"), std::string::npos)
+        << errors();
 }
 
 TEST_F(Appeal, RefusesWhatIntakeRefused) {
