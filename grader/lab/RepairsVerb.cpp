@@ -1,6 +1,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/corpus/Entry.h>
@@ -13,8 +14,6 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -31,21 +30,14 @@ struct RepairsOptions {
     GradeOptions grade;
 };
 
-/// Estimated remaining time in minutes and seconds: each unit of the rest takes the mean time so
-/// far.
-std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done,
-                     std::size_t rest) {
-    const double seconds = std::chrono::duration<double>(spent).count() *
-                           static_cast<double>(rest) / static_cast<double>(done);
-    const auto whole = std::lround(seconds);
-    return fmt::format("{}:{:02} left", whole / 60, whole % 60);
-}
-
 /// The rows of all units. A unit that is not in the record is run, and its row added and printed;
 /// for a report it is left out.
 std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::RepairRecord& record,
-                                   bool isReport) {
-    const auto begin = std::chrono::steady_clock::now();
+                                   bool isReport, bool draw) {
+    std::size_t missing = 0;
+    for (std::size_t unit = 0; unit < campaign.size(); ++unit)
+        if (record.find(campaign.nameOf(unit)) == nullptr) ++missing;
+    const Countdown countdown{"repairs", 0, draw};
     std::vector<lab::RepairRow> rows;
     std::size_t run = 0;
     for (std::size_t unit = 0; unit < campaign.size(); ++unit) {
@@ -56,10 +48,11 @@ std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::Rep
         if (isReport) continue;
         rows.push_back(campaign.run(unit));
         record.add(rows.back());
-        const std::string left =
-            timeLeft(std::chrono::steady_clock::now() - begin, ++run, campaign.size() - unit - 1);
-        fmt::print("{}/{}, {}: {}\n", unit + 1, campaign.size(), left, lab::lineOf(rows.back()));
+        // The row takes the place of the line that was drawn.
+        if (draw) std::fputs(drawnLine("", 0).c_str(), stderr);
+        fmt::print("{}/{}: {}\n", ++run, missing, lab::lineOf(rows.back()));
         std::fflush(stdout);
+        countdown.show(run, missing);
     }
     return rows;
 }
@@ -70,7 +63,7 @@ struct Repairs {
     std::vector<lab::RepairRow> rows;
 };
 
-Repairs repairsOf(const Exercise& exercise, const RepairsOptions& options) {
+Repairs repairsOf(const Exercise& exercise, const RepairsOptions& options, bool draw) {
     GradeOptions grade = options.grade;
     grade.exercise = exercise.name;
     const pipeline::Grader grader = makeGrader(grade);
@@ -78,16 +71,16 @@ Repairs repairsOf(const Exercise& exercise, const RepairsOptions& options) {
         corpus::readEntries(Home::find().data, options.choice.collections, exercise);
     const lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
     lab::RepairRecord record{options.record};
-    return {campaign.size(), rowsOf(campaign, record, options.report)};
+    return {campaign.size(), rowsOf(campaign, record, options.report, draw)};
 }
 
-raytracer::ExitCode repairs(const RepairsOptions& options) {
+raytracer::ExitCode repairs(const RepairsOptions& options, const GlobalOptions& global) {
     if (!options.grade.exercise.empty()) static_cast<void>(exerciseNamed(options.grade.exercise));
     const lab::SeveralMistakes several = lab::readSeveralMistakes(Home::find().data);
     Repairs all;
     for (const Exercise& exercise : knownExercises()) {
         if (!options.grade.exercise.empty() && options.grade.exercise != exercise.name) continue;
-        const Repairs some = repairsOf(exercise, options);
+        const Repairs some = repairsOf(exercise, options, mayDraw(global.quiet));
         all.entries += some.entries;
         all.rows.insert(all.rows.end(), some.rows.begin(), some.rows.end());
     }
@@ -105,7 +98,7 @@ raytracer::ExitCode repairs(const RepairsOptions& options) {
 
 }  // namespace
 
-Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
+Run addRepairsLab(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<RepairsOptions>();
     constexpr std::uint64_t kUsualSeed = 1;
     options->grade.seed = kUsualSeed;
@@ -133,7 +126,7 @@ Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
     verb->add_option("--seed", options->grade.seed,
                      "Whole number that the hidden questions are drawn from; 1 unless told");
-    return [options] { return repairs(*options); };
+    return [options, &global] { return repairs(*options, global); };
 }
 
 }  // namespace ticker::cli
