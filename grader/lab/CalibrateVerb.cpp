@@ -61,7 +61,7 @@ bool publish(const Campaign& campaign, const Record& record, const std::vector<S
     fmt::print("{}{}\n{}\n", campaign.name(), summary.asExpected ? "" : ": NOT AS EXPECTED", text);
     std::fflush(stdout);
     record.copyTo(places.record);
-    writeAtomically(
+    calibrate::writeIfChanged(
         calibrate::withSection(readIfThere(places.document).value_or(""), campaign.name(), text),
         places.document);
     return summary.asExpected;
@@ -167,7 +167,9 @@ Run addCalibrate(CLI::App& app, const GlobalOptions& global) {
     verb->add_flag("--repeat", options->repeats, "With --check: repeat the small part alone")
         ->needs(check)
         ->excludes(records);
-    verb->add_flag("--report", options->report, "Run nothing: write what the record has so far")
+    verb->add_flag("--report", options->report,
+                   "Run nothing: write what the record has so far into docs/calibration.md and "
+                   "grader/lab/calibrate/record")
         ->excludes(check);
     verb->add_option("--only", options->only, "One campaign: correct, stages, mistakes, ...");
     verb->add_option("--entry", options->entry, "Run only units whose name contains this text")

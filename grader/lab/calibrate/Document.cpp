@@ -1,5 +1,7 @@
 #include <grader/lab/calibrate/Document.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <optional>
 
 namespace ticker::calibrate {
@@ -38,6 +40,10 @@ std::string withSection(const std::string& document, const std::string& name,
     if (const std::optional<Span> span = spanOf(document, name))
         return document.substr(0, span->begin) + whole + document.substr(span->end);
     return document + "\n## " + name + "\n" + opening(name) + whole + kClosing;
+}
+
+void writeIfChanged(const std::string& text, const std::filesystem::path& file) {
+    if (readIfThere(file) != text) writeAtomically(text, file);
 }
 
 }  // namespace ticker::calibrate

@@ -1,6 +1,7 @@
 #ifndef TICKER_CALIBRATE_DOCUMENT_H
 #define TICKER_CALIBRATE_DOCUMENT_H
 
+#include <filesystem>
 #include <string>
 
 namespace ticker::calibrate {
@@ -12,6 +13,9 @@ namespace ticker::calibrate {
 /// The document with that text replaced; a missing section is added at the end.
 [[nodiscard]] std::string withSection(const std::string& document, const std::string& name,
                                       const std::string& text);
+
+/// Replaces a file whole, unless it has this text already.
+void writeIfChanged(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace ticker::calibrate
 

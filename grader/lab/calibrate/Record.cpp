@@ -2,6 +2,7 @@
 
 #include <grader/base/MakeFolder.h>
 #include <grader/base/WholeFile.h>
+#include <grader/lab/calibrate/Document.h>
 
 #include <raytracer/base/Error.h>
 
@@ -114,7 +115,7 @@ void Record::copyTo(const std::filesystem::path& folder) const {
     for (const auto& [unit, line] : found_)
         text += lineOf(unit, line);
     makeFolder(folder);
-    writeAtomically(text, folder / file_.filename());
+    writeIfChanged(text, folder / file_.filename());
 }
 
 }  // namespace ticker::calibrate

@@ -46,7 +46,8 @@ public:
     /// In the order of the units.
     [[nodiscard]] std::vector<std::string> all() const;
 
-    /// Writes everything to another folder, sorted by unit; an earlier file is replaced whole.
+    /// Writes everything to another folder, sorted by unit; an earlier file that is not
+    /// the same is replaced whole.
     void copyTo(const std::filesystem::path& folder) const;
 
 private:

@@ -95,6 +95,19 @@ TEST(Record, ReplacesAnEarlierCopyWhole) {
               std::filesystem::file_size(copies / "counting.jsonl"));
 }
 
+TEST(Record, LeavesACopyThatIsTheSameAsItIs) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{2};
+    Record record{folder.path() / "own", campaign};
+    record.add(0, R"({"a":0})");
+    const std::filesystem::path copies = folder.path() / "copies";
+    record.copyTo(copies);
+    std::filesystem::create_hard_link(copies / "counting.jsonl", folder.path() / "earlier.jsonl");
+    record.copyTo(copies);
+    EXPECT_TRUE(
+        std::filesystem::equivalent(copies / "counting.jsonl", folder.path() / "earlier.jsonl"));
+}
+
 TEST(Record, RefusesThatOfAnotherCampaign) {
     const tests::TemporaryFolder folder;
     std::ofstream{folder.path() / "counting.jsonl"} << R"({"campaign":"another"})" << '\n';
