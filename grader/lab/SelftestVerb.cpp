@@ -37,12 +37,24 @@ struct SelftestOptions {
     GradeOptions grade;
 };
 
+/// What became of a table, or of several.
+struct Tables {
+    std::size_t rows = 0;
+    bool good = true;
+
+    Tables& operator+=(const Tables& more) {
+        rows += more.rows;
+        good = more.good && good;
+        return *this;
+    }
+};
+
 void printTable(const std::string& title, const std::string& table) {
     fmt::print("{}\n{}\n", title, cleanText(table));
     std::fflush(stdout);
 }
 
-bool testBump(const SelftestOptions& options, const std::string& option, bool draw) {
+Tables testBump(const SelftestOptions& options, const std::string& option, bool draw) {
     const Countdown counter{option, 0, draw};
     const selftest::BumpSelfTest result =
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
@@ -50,7 +62,7 @@ bool testBump(const SelftestOptions& options, const std::string& option, bool dr
         });
     printTable(option + ": readings that must pass, mistakes in every reading that must be named",
                result.table());
-    return result.passed();
+    return {result.accepted.size() + result.refused.size(), result.passed()};
 }
 
 /// The reference solution's files of the default exercise, and some right samples.
@@ -81,8 +93,8 @@ std::vector<corpus::Entry> entriesOf(const OptionEntry& option, const Exercise& 
 }
 
 /// @param what  Title of the table; may be empty.
-bool testMistakes(const std::vector<corpus::Entry>& entries, const std::string& what,
-                  const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+Tables testMistakes(const std::vector<corpus::Entry>& entries, const std::string& what,
+                    const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const Countdown counter{what.empty() ? "mistakes" : what, 0, draw};
     selftest::MistakeRun run;
     run.exercise = grader.exercise;
@@ -92,7 +104,7 @@ bool testMistakes(const std::vector<corpus::Entry>& entries, const std::string& 
     const auto rows = selftest::runMistakes(entries, grader.kit, grader.sandbox, run);
     printTable((what.empty() ? "" : what + ": ") + "the catalogue of mistakes, compiled and judged",
                selftest::tableOf(rows));
-    return std::ranges::all_of(rows, &selftest::MistakeRow::asExpected);
+    return {rows.size(), std::ranges::all_of(rows, &selftest::MistakeRow::asExpected)};
 }
 
 /// The whole corpus, or the requested entries.
@@ -111,7 +123,7 @@ std::vector<corpus::Entry> hostileCases(const Exercise& exercise,
     return picked;
 }
 
-bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
+Tables testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
     const Home home = Home::find();
     const Countdown counter{"hostile", 0, draw};
     grader.policy = sandbox::readPolicy(home.data / "grader/corpus/hostile/limits.json");
@@ -128,10 +140,10 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
         selftest::runHostileTables(hostileCases(*grader.exercise, options.cases), grader, run);
     printTable("Hostile submissions at sandbox level " + sandbox::toString(grader.sandbox.level()),
                tables.table());
-    return tables.passed();
+    return {tables.rows.size(), tables.passed()};
 }
 
-bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+Tables testScreenshots(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const Countdown counter{"screenshots", 0, draw};
     selftest::ScreenshotRun run;
     run.fraction = options.fraction;
@@ -140,7 +152,7 @@ bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& gra
     const selftest::ScreenshotSelfTest result = selftest::runScreenshotTables(
         {grader.scenes, grader.kit, grader.sandbox, rightSources(Home::find())}, run);
     printTable("Screenshots: honest ones, and others of every kind", result.table());
-    return result.passed();
+    return {result.honest.size() + result.bad.size(), result.passed()};
 }
 
 /// Whether the exercise has the tables that exist for the default exercise only: models of its
@@ -149,14 +161,14 @@ bool hasModels(const Exercise& exercise) {
     return &exercise == &defaultExercise();
 }
 
-bool testCombinations(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+Tables testCombinations(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const auto accepted = corpus::readEntries(Home::find().data, {"accepted"}, *grader.exercise);
     return testMistakes(
         selftest::drawCombinations(accepted, options.combinations, seedOf(options.grade)),
         "accepted readings together", options, grader, draw);
 }
 
-bool runTables(const SelftestOptions& options, bool draw) {
+Tables runTables(const SelftestOptions& options, bool draw) {
     const pipeline::Grader grader = makeGrader(options.grade);
     const Exercise& exercise = *grader.exercise;
     if (options.combinations > 0) return testCombinations(options, grader, draw);
@@ -166,19 +178,18 @@ bool runTables(const SelftestOptions& options, bool draw) {
                             options, grader, draw);
     }
     const bool all = options.task.empty() && !options.hostile && !options.screenshots;
-    bool good = true;
+    Tables tables;
     for (const OptionEntry& option : exercise.options)
         if (all || options.task == option.name)
-            good = testMistakes(entriesOf(option, exercise), option.name, options, grader, draw) &&
-                   good;
+            tables += testMistakes(entriesOf(option, exercise), option.name, options, grader, draw);
     const std::string first = exercise.options.front().name;
     if (hasModels(exercise) && (all || options.task == first))
-        good = testBump(options, first, draw) && good;
+        tables += testBump(options, first, draw);
     if ((hasModels(exercise) && all) || options.hostile)
-        good = testHostile(options, grader, draw) && good;
+        tables += testHostile(options, grader, draw);
     if (hasModels(exercise) && (all || options.screenshots))
-        good = testScreenshots(options, grader, draw) && good;
-    return good;
+        tables += testScreenshots(options, grader, draw);
+    return tables;
 }
 
 /// @throws raytracer::InputError where the exercise has no such option.
@@ -194,8 +205,12 @@ void checkTask(const SelftestOptions& options) {
 
 raytracer::ExitCode selftest(const SelftestOptions& options, const GlobalOptions& global) {
     checkTask(options);
-    return runTables(options, mayDraw(global.quiet)) ? raytracer::ExitCode::success
-                                                     : raytracer::ExitCode::checkFailed;
+    const Tables tables = runTables(options, mayDraw(global.quiet));
+    if (tables.rows == 0)
+        throw raytracer::InputError("", 0,
+                                    "nothing of the exercise fits --task, --hostile, "
+                                    "--screenshots and the other options; nothing was tested");
+    return tables.good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include <grader/lab/coverage/CoverageTables.h>
 
 #include <grader/base/Workers.h>
+#include <grader/lab/EvenShare.h>
 #include <grader/lab/coverage/PublicCase.h>
 #include <grader/lab/coverage/PublicExaminer.h>
+
+#include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 
@@ -20,16 +23,12 @@ struct Row {
 };
 
 std::vector<Case> pick(std::vector<Case> cases, const CoverageRun& run) {
-    std::vector<Case> picked;
-    double owed = 0.5;
-    for (Case& one : cases) {
-        if (one.name.find(run.only) == std::string::npos) continue;
-        owed += run.fraction;
-        if (owed < 1.0) continue;
-        owed -= 1.0;
-        picked.push_back(std::move(one));
-    }
-    return picked;
+    std::erase_if(cases,
+                  [&](const Case& one) { return one.name.find(run.only) == std::string::npos; });
+    if (cases.empty())
+        throw raytracer::InputError("--only " + run.only, 0,
+                                    "no case has this in its name; nothing is written");
+    return lab::evenShare(std::move(cases), run.fraction, 0.5);
 }
 
 std::vector<Row> examineAll(const std::filesystem::path& root, std::vector<Case> cases,

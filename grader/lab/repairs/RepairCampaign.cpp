@@ -1,3 +1,4 @@
+#include <grader/lab/EvenShare.h>
 #include <grader/lab/repairs/RepairCampaign.h>
 
 #include <grader/repair/Explain.h>
@@ -107,7 +108,6 @@ RepairCampaign::RepairCampaign(const pipeline::Grader& grader,
                                const RepairChoice& choice, std::uint64_t seed)
     : grader_(grader), judge_(grader), seed_(seed) {
     judge_.scenes.clear();
-    double owed = 0.0;
     for (const corpus::Entry& entry : entries) {
         const std::string failing = failingTask(entry);
         if (failing.empty() || (!choice.task.empty() && failing != choice.task)) continue;
@@ -115,11 +115,9 @@ RepairCampaign::RepairCampaign(const pipeline::Grader& grader,
         if (!choice.cases.empty() && !isNamed) continue;
         const bool isCatalogued = entry.collection.ends_with("mistakes");
         if (choice.ofOneEdit && isCatalogued && !isOneEdit(entry)) continue;
-        owed += choice.fraction;
-        if (owed < 1.0) continue;
-        owed -= 1.0;
         units_.push_back({entry, failing});
     }
+    units_ = evenShare(std::move(units_), choice.fraction, 0.0);
 }
 
 std::string RepairCampaign::nameOf(std::size_t unit) const {

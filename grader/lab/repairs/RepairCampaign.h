@@ -18,7 +18,7 @@ struct RepairChoice {
     std::string task;                ///< only those that fail this one; empty: any
     std::vector<std::string> cases;  ///< only those of these names; empty: all
     bool ofOneEdit = false;          ///< of the catalogue's mistakes only those of one edit
-    double fraction = 1.0;           ///< share of them, evenly picked
+    double fraction = 1.0;           ///< share of them, evenly picked; at least one
 };
 
 /// The wrong submissions of an exercise's corpus that fail one task.

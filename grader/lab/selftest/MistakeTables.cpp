@@ -3,6 +3,7 @@
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/exercise/Exercise.h>
+#include <grader/lab/EvenShare.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/result/Names.h>
 #include <grader/tasks/Tasks.h>
@@ -57,19 +58,6 @@ std::vector<Made> make(const std::vector<Entry>& entries, const Exercise& exerci
         made.push_back({entry, own != texts.end() ? own->second : texts.at(entry.file())});
     }
     return made;
-}
-
-std::vector<Made> pick(std::vector<Made> all, const MistakeRun& run) {
-    std::vector<Made> picked;
-    double owed = static_cast<double>(run.seed % 97) / 97.0;
-    for (Made& made : all) {
-        owed += run.fraction;
-        if (owed < 1.0) continue;
-        owed -= 1.0;
-        picked.push_back(std::move(made));
-    }
-    if (picked.empty() && !all.empty()) picked.push_back(std::move(all.front()));
-    return picked;
 }
 
 bool isAsExpected(const TaskJudgement& own, const corpus::Expectation& expected) {
@@ -162,7 +150,8 @@ std::vector<Entry> mistakesCalled(const std::vector<Entry>& catalogue,
 
 std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const build::Kit& kit,
                                     const sandbox::Sandbox& sandbox, const MistakeRun& run) {
-    const std::vector<Made> picked = pick(make(entries, *run.exercise), run);
+    const std::vector<Made> picked = lab::evenShare(make(entries, *run.exercise), run.fraction,
+                                                    static_cast<double>(run.seed % 97) / 97.0);
     std::vector<MistakeRow> rows(picked.size());
     std::size_t done = 0;
     std::mutex mutex;

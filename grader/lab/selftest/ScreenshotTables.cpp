@@ -1,11 +1,11 @@
 #include <grader/lab/selftest/ScreenshotTables.h>
 
+#include <grader/lab/EvenShare.h>
 #include <grader/lab/selftest/ScreenshotCases.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace ticker::selftest {
 namespace {
@@ -16,18 +16,6 @@ std::string told(const TaskJudgement& judgement) {
     for (const Finding& finding : judgement.findings)
         if (finding.severity != Severity::note) return finding.id;
     return judgement.needsReview ? "a person should look" : "";
-}
-
-std::vector<Case> thinned(std::vector<Case> all, double fraction) {
-    std::vector<Case> some;
-    double owed = 0.5;
-    for (Case& one : all) {
-        owed += fraction;
-        if (owed < 1.0) continue;
-        owed -= 1.0;
-        some.push_back(std::move(one));
-    }
-    return some;
 }
 
 void judge(const Case& one, std::vector<ScreenshotRow>& rows, ScreenshotSelfTest& result) {
@@ -69,8 +57,11 @@ std::string ScreenshotSelfTest::table() const {
 }
 
 ScreenshotSelfTest runScreenshotTables(const ScreenshotBench& bench, const ScreenshotRun& run) {
-    std::vector<Case> honest = thinned(honestScreenshots(bench, run.seed), run.fraction);
-    const std::vector<Case> bad = thinned(badScreenshots(bench, run.seed), run.fraction);
+    constexpr double kOwed = 0.5;
+    std::vector<Case> honest =
+        lab::evenShare(honestScreenshots(bench, run.seed), run.fraction, kOwed);
+    const std::vector<Case> bad =
+        lab::evenShare(badScreenshots(bench, run.seed), run.fraction, kOwed);
     std::ranges::stable_sort(honest, {}, &Case::kind);
     ScreenshotSelfTest result;
     std::size_t done = 0;

@@ -30,8 +30,9 @@ struct ScreenshotBench {
 };
 
 struct ScreenshotRun {
-    double fraction = 1.0;   ///< share of the honest and of the bad pictures, evenly picked
-    std::uint64_t seed = 1;  ///< of pictures and windows
+    double fraction =
+        1.0;  ///< share of the honest and of the bad pictures, evenly picked; at least one of each
+    std::uint64_t seed = 1;                                          ///< of pictures and windows
     std::function<void(std::size_t done, std::size_t of)> progress;  ///< or null
 };
 

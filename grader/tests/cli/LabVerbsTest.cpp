@@ -124,6 +124,28 @@ TEST_F(LabVerbs, SelftestRefusesAnUnknownMember) {
         << ran.errors;
 }
 
+TEST_F(LabVerbs, RefuseOptionsThatNothingFits) {
+    for (const char* line :
+         {"selftest --exercise tick1 --screenshots", "selftest --exercise tick1 --hostile",
+          "coverage --only no-such-case"}) {
+        const Ran ran = runLab(line);
+        EXPECT_EQ(ran.status, 2) << line << "\n" << ran.output << ran.errors;
+    }
+    folder_.write("tables.md",
+                  "<!-- public_coverage begin -->\nold\n<!-- public_coverage end -->\n");
+    const std::string file = (folder_.path() / "tables.md").string();
+    EXPECT_EQ(runLab("coverage --only no-such-case --write '" + file + "'").status, 2);
+    EXPECT_NE(tests::readFile(file).find("\nold\n"), std::string::npos);
+}
+
+TEST_F(LabVerbs, SelftestTakesAtLeastOneScreenshotOfEachKind) {
+    const Ran ran = runLab("selftest --screenshots --fraction 0.0005");
+    EXPECT_EQ(ran.status, 0) << ran.output << ran.errors;
+    const std::size_t first = ran.output.find("1 of   1");
+    ASSERT_NE(first, std::string::npos) << ran.output;
+    EXPECT_NE(ran.output.find("1 of   1", first + 1), std::string::npos) << ran.output;
+}
+
 // docs/for-instructors.md: copy a scene, add a line, call refs.
 TEST_F(LabVerbs, RefsMakesTheReferenceOfANewSceneThatIsListed) {
     fs::copy(home() / "scenes/relief.xml", home() / "scenes/mine.xml");

@@ -1,10 +1,12 @@
-// Tables of docs/repairs.md.
+// Tables of docs/repairs.md, and the shares of the lab's tables.
 #include <grader/corpus/Entry.h>
+#include <grader/lab/EvenShare.h>
 #include <grader/lab/repairs/RepairTables.h>
 
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 namespace ticker::lab {
 namespace {
@@ -20,6 +22,15 @@ RepairRow row(std::string collection, std::string name, bool isRepaired) {
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
+}
+
+TEST(EvenShare, IsSpreadAndHoldsAtLeastOne) {
+    const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
+    EXPECT_EQ(evenShare(all, 1.0, 0.0), all);
+    EXPECT_EQ(evenShare(all, 0.25, 0.0), (std::vector<int>{3, 7}));
+    EXPECT_EQ(evenShare(all, 0.25, 0.5), (std::vector<int>{1, 5}));
+    EXPECT_EQ(evenShare(all, 0.001, 0.5), std::vector<int>{0});
+    EXPECT_TRUE(evenShare(std::vector<int>{}, 1.0, 0.5).empty());
 }
 
 TEST(RepairTables, SeveralMistakesAreCountedApartAndListedWithTheirReason) {
