@@ -38,21 +38,46 @@ TEST(Kit, LiesBesideTheProgramsOfItsBuildTree) {
               tests::readFile("student_template/exercise/Renderer.cpp"));
 }
 
-TEST(Kit, IsRefusedWhereItIsNotWhole) {
-    EXPECT_THROW(static_cast<void>(Kit::at("/nowhere")), raytracer::Error);
-}
+const std::vector<std::string> kParts{"kit.json", "lib/libkit.a", "lib/probe.o",
+                                      "pch/Framework.h.gch", "template/Renderer.o"};
 
 /// A kit without contents, of private files.
 void writePrivateKit(const fs::path& folder) {
-    for (const char* name : {"lib/libkit.a", "lib/probe.o", "pch/Framework.h.gch",
-                             "include/raytracer/base/Error.h", "kit.json"}) {
+    std::vector<std::string> names = kParts;
+    names.emplace_back("include/raytracer/base/Error.h");
+    for (const std::string& name : names) {
         fs::create_directories((folder / name).parent_path());
         std::ofstream{folder / name}
             << R"({"version": 1, "madeAt": "", "compiler": "", "compile": [], "quick": [],)"
-            << R"( "link": [], "files": []})";
+            << R"( "link": [], "files": ["Renderer.cpp"]})";
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
         fs::permissions(entry, fs::perms{entry.is_directory() ? 0700U : 0600U});
+}
+
+/// Why a folder is no kit; empty if it is one.
+std::string complaintAbout(const fs::path& folder) {
+    try {
+        static_cast<void>(Kit::at(folder));
+    } catch (const raytracer::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Kit, IsRefusedWhereItIsNotWholeNamingWhatItLacks) {
+    const tests::TemporaryFolder folder;
+    EXPECT_NE(complaintAbout(folder.path() / "nowhere").find("nowhere/kit.json"),
+              std::string::npos);
+    for (const std::string& part : kParts) {
+        const fs::path kit = folder.path() / "kit";
+        writePrivateKit(kit);
+        EXPECT_EQ(complaintAbout(kit), "") << "it is whole";
+        fs::remove(kit / part);
+        EXPECT_NE(complaintAbout(kit).find("the kit lacks " + (kit / part).string()),
+                  std::string::npos)
+            << part;
+    }
 }
 
 /// The files and folders that users other than the owner cannot read.
