@@ -4,12 +4,12 @@
 #include <grader/base/WholeFile.h>
 #include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/Sandbox.h>
+#include <grader/sandbox/StagingFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,17 +22,6 @@ std::string readPart(const fs::path& file) {
     auto text = readIfThere(file);
     if (!text) throw raytracer::Error(fmt::format("the kit lacks {}", file.string()));
     return std::move(*text);
-}
-
-// True if every user can reach the path. As root, jobs run as another user, which needs search
-// permission on every folder of the path.
-bool everybodyReaches(const fs::path& folder) {
-    if (geteuid() != 0) return true;
-    for (fs::path at = folder;; at = at.parent_path()) {
-        struct stat status {};
-        if (stat(at.c_str(), &status) != 0 || (status.st_mode & S_IXOTH) == 0) return false;
-        if (at == at.root_path()) return true;
-    }
 }
 
 // What every user needs to read a file, or to list and pass through a folder.
@@ -104,7 +93,7 @@ Kit Kit::at(const fs::path& folder) {
             throw raytracer::Error(fmt::format("the kit lacks {}", (folder / part).string()));
     const fs::path whole = fs::canonical(folder);
     kit.folder_ =
-        everybodyReaches(whole) && everybodyReads(whole) ? whole : copyForEverybody(whole);
+        sandbox::jobsCanReach(whole) && everybodyReads(whole) ? whole : copyForEverybody(whole);
     return kit;
 }
 

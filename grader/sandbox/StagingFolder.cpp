@@ -25,17 +25,6 @@ namespace {
 constexpr const char* kPrefix = "ticker-stage-";
 constexpr const char* kNewPrefix = "ticker-new-";
 
-// As root, jobs run under another uid, which must be able to reach the folder.
-bool jobsCanReach(const fs::path& folder) {
-    if (geteuid() != 0) return true;
-    for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
-        struct stat status {};
-        if (stat(at.c_str(), &status) != 0 || (status.st_mode & S_IXOTH) == 0) return false;
-        if (at == at.root_path()) break;
-    }
-    return true;
-}
-
 bool programsRunIn(const fs::path& folder) {
     struct statvfs status {};
     return statvfs(folder.c_str(), &status) == 0 && (status.f_flag & ST_NOEXEC) == 0;
@@ -126,6 +115,15 @@ fs::path StagingFolder::makeFolder(fs::perms mode) const {
                                            std::generic_category().message(errno)));
     fs::permissions(folder, mode);
     return folder;
+}
+
+bool jobsCanReach(const fs::path& folder) {
+    if (geteuid() != 0) return true;
+    for (fs::path at = folder;; at = at.parent_path()) {
+        struct stat status {};
+        if (stat(at.c_str(), &status) != 0 || (status.st_mode & S_IXOTH) == 0) return false;
+        if (at == at.root_path()) return true;
+    }
 }
 
 std::string randomName() {

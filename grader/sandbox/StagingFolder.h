@@ -29,6 +29,11 @@ private:
     FileDescriptor lock_;
 };
 
+/// True if every job can reach the folder. As root, jobs run under another uid, which needs search
+/// permission on every folder of the path.
+/// @param folder  An absolute path.
+[[nodiscard]] bool jobsCanReach(const std::filesystem::path& folder);
+
 /// 128 random bits in hexadecimal.
 [[nodiscard]] std::string randomName();
 
