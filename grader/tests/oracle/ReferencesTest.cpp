@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/oracle/references/FloatTiff.h>
 #include <grader/oracle/references/Manifest.h>
 #include <grader/oracle/references/References.h>
@@ -55,11 +56,6 @@ ReferenceOptions options(std::uint64_t seed) {
     return result;
 }
 
-std::string bytesOf(const std::filesystem::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(References, PassTheirOwnCheckAndTellADriftedScene) {
     const Folder folder;
     int told = 0;
@@ -101,12 +97,12 @@ TEST(References, StayWholeWhenInterrupted) {
     const Folder folder;
     std::vector<ReferenceScene> scenes{someScenes()[2]};
     ASSERT_TRUE(writeReferences(folder.path(), scenes, options(1)));
-    const std::string before = bytesOf(folder.path() / "pinhole-mean.tiff");
+    const std::string before = readWhole(folder.path() / "pinhole-mean.tiff");
     Interrupted monitor;
     scenes[0].settings.monitor = &monitor;
     scenes[0].scene.ambientLighting = raytracer::ColourRGB{0.5};
     EXPECT_FALSE(writeReferences(folder.path(), scenes, options(2)));
-    EXPECT_EQ(bytesOf(folder.path() / "pinhole-mean.tiff"), before);
+    EXPECT_EQ(readWhole(folder.path() / "pinhole-mean.tiff"), before);
 }
 
 TEST(References, RefuseAFileThatIsNoReference) {

@@ -1,5 +1,6 @@
 #include "CleanRoot.h"
 
+#include <grader/base/ShellQuoted.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <sys/wait.h>
@@ -15,13 +16,6 @@ namespace ticker::tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word)
-        text += c == '\'' ? "'\\''" : std::string{c};
-    return text + "'";
-}
 
 // Jails of root reserve their uids by locks in this folder (grader/sandbox/UserSlots.cpp). The
 // clean root shares it, so that graders of other tests can run at the same time.
@@ -64,19 +58,19 @@ RootRun CleanRoot::runShell(const std::string& inside) const {
         "--tmpfs /run --tmpfs /var/tmp --chdir / --clearenv --setenv PATH /usr/bin:/bin" +
         sharedLocks();
     for (const std::string& word : words_)
-        command += " " + quoted(word);
+        command += " " + shellQuoted(word);
     return runHere(command + " " + inside);
 }
 
 RootRun CleanRoot::run(const std::string& command) const {
-    return runShell("sh -c " + quoted(command));
+    return runShell("sh -c " + shellQuoted(command));
 }
 
 RootRun CleanRoot::runInContainer(const std::string& command) const {
     if (geteuid() != 0) return run(command);
     CleanRoot container = *this;
     container.bindReadOnly(TICKER_BINARY_DIR "/bin/simulated_container", "/run/container");
-    return container.runShell("/run/container --docker -- /bin/sh -c " + quoted(command));
+    return container.runShell("/run/container --docker -- /bin/sh -c " + shellQuoted(command));
 }
 
 RootRun runHere(const std::string& command) {

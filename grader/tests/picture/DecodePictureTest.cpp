@@ -1,5 +1,6 @@
 #include "../io/PngBuilder.h"
 
+#include <grader/base/WholeFile.h>
 #include <grader/picture/DecodePicture.h>
 #include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/SandboxPolicy.h>
@@ -9,8 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace ticker::picture {
@@ -50,11 +49,6 @@ DecodeFailure failureIn(const std::string& bytes) {
     return {};
 }
 
-std::string readFile(const std::string& name) {
-    std::ifstream stream{name, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 // makePng writes any size into the header; the rows are those of 2 x 2 pixels.
 std::string claiming(std::uint32_t width, std::uint32_t height) {
     return makePng({width, height, 8, PngColour::rgb}, std::string("\0abcdef\0ghijkl", 14));
@@ -89,7 +83,7 @@ TEST(DecodePicture, ReadsWhatTheFrameworksReaderReads) {
     for (const char* name :
          {"/assets/bumpmap.png", "/grader/corpus/samples/awarded/bump-z-up/screenshot.png"}) {
         const std::string file = std::string{TICKER_SOURCE_DIR} + name;
-        const Decoded decoded = decode(readFile(file));
+        const Decoded decoded = decode(readWhole(file));
         const auto* image = std::get_if<ByteImage>(&decoded);
         ASSERT_NE(image, nullptr) << file << ": " << std::get<DecodeFailure>(decoded).message;
         EXPECT_EQ(image->rgb, raytracer::readImage(file).rgb) << file;

@@ -1,5 +1,6 @@
 #include "JailFixture.h"
 
+#include <grader/base/WholeFile.h>
 #include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 
@@ -13,13 +14,6 @@
 namespace ticker::sandbox {
 namespace fs = std::filesystem;
 namespace {
-
-std::string readAll(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 bool isRequired(Level level) {
     const char* required = std::getenv("TICKER_REQUIRE_LEVELS");
@@ -53,7 +47,7 @@ std::string newMarker() {
 std::vector<std::string> processesLeft(const std::string& marker) {
     std::vector<std::string> left;
     for (const fs::directory_entry& entry : fs::directory_iterator{"/proc"}) {
-        const std::string words = readAll(entry.path() / "cmdline");
+        const std::string words = readIfThere(entry.path() / "cmdline").value_or("");
         if (words.find(marker) != std::string::npos) left.push_back(entry.path().string());
     }
     siginfo_t info{};

@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/corpus/Entry.h>
 #include <grader/tests/student/UnpackedPackage.h>
 #include <grader/tests/support/Files.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
@@ -19,11 +19,6 @@ namespace ticker {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 std::string withoutSpace(const std::string& text) {
     std::string packed;
@@ -54,7 +49,7 @@ std::string frameworkText() {
     std::string text;
     const fs::path folder = fs::path{TICKER_SOURCE_DIR} / "student_template/framework/src";
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
-        if (entry.is_regular_file()) text += withoutSpace(bytesOf(entry.path()));
+        if (entry.is_regular_file()) text += withoutSpace(readWhole(entry.path()));
     return text;
 }
 
@@ -94,7 +89,7 @@ protected:
     static std::map<std::string, std::string> contents() {
         std::map<std::string, std::string> texts;
         for (const fs::path& file : package().files())
-            texts[fs::relative(file, package().folder()).string()] = bytesOf(file);
+            texts[fs::relative(file, package().folder()).string()] = readWhole(file);
         return texts;
     }
 };
@@ -157,7 +152,7 @@ TEST_F(StudentPackage, HoldsNoReferencePicture) {
     std::set<std::string> secret;
     if (fs::is_directory(references))
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator{references})
-            if (entry.is_regular_file()) secret.insert(bytesOf(entry.path()));
+            if (entry.is_regular_file()) secret.insert(readWhole(entry.path()));
     for (const auto& [name, bytes] : contents()) {
         EXPECT_FALSE(secret.contains(bytes)) << name;
         EXPECT_EQ(name.find("references"), std::string::npos) << name;

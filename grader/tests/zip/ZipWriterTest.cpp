@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/tests/support/TemporaryFolder.h>
 #include <grader/zip/ZipWriter.h>
 
@@ -6,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -14,11 +14,6 @@ namespace ticker::zip {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 void writeSome(const fs::path& file, const fs::path& source) {
     ZipWriter zip{file};
@@ -44,9 +39,9 @@ TEST_F(ZipWriterTest, UnzipGivesTheFilesBackWithNamesAndModes) {
     const std::string command = "cd '" + folder_.path().string() + "' && mkdir out && cd out && " +
                                 "LC_ALL=C.UTF-8 unzip -q ../a.zip";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    EXPECT_EQ(bytesOf(at("out/Zo\xC3\xAB Smith_12_assignsubmission_file/report.html")),
+    EXPECT_EQ(readWhole(at("out/Zo\xC3\xAB Smith_12_assignsubmission_file/report.html")),
               "<p>good</p>");
-    EXPECT_EQ(bytesOf(at("out/data/a/c.txt")), "c");
+    EXPECT_EQ(readWhole(at("out/data/a/c.txt")), "c");
     const auto modeOf = [&](const char* name) { return fs::status(at(name)).permissions(); };
     EXPECT_NE(modeOf("out/bin/run") & fs::perms::owner_exec, fs::perms::none);
     EXPECT_EQ(modeOf("out/data/b.txt") & fs::perms::owner_exec, fs::perms::none);
@@ -55,7 +50,7 @@ TEST_F(ZipWriterTest, UnzipGivesTheFilesBackWithNamesAndModes) {
 TEST_F(ZipWriterTest, NamesAreMarkedAsUtf8) {
     writeSome(at("a.zip"), at("source"));
     // APPNOTE.TXT 4.4.4: bit 11 of the general purpose flag, at offset 6 of the local header.
-    const std::string bytes = bytesOf(at("a.zip"));
+    const std::string bytes = readWhole(at("a.zip"));
     ASSERT_GT(bytes.size(), 8U);
     EXPECT_NE(static_cast<unsigned char>(bytes[7]) & 0x08U, 0U);
 }
@@ -63,7 +58,7 @@ TEST_F(ZipWriterTest, NamesAreMarkedAsUtf8) {
 TEST_F(ZipWriterTest, TheSameContentGivesTheSameBytes) {
     writeSome(at("a.zip"), at("source"));
     writeSome(at("b.zip"), at("source"));
-    EXPECT_EQ(bytesOf(at("a.zip")), bytesOf(at("b.zip")));
+    EXPECT_EQ(readWhole(at("a.zip")), readWhole(at("b.zip")));
 }
 
 TEST_F(ZipWriterTest, NothingIsLeftOfAZipThatWasNotFinished) {
