@@ -5,6 +5,7 @@
 #include <raytracer/image/Image.h>
 #include <raytracer/render/Renderer.h>
 #include <support/Complaint.h>
+#include <support/KeptScene.h>
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ TEST_F(DepthOfField, AWallOfOneColourKeepsItsColourWithSeveralThreads) {
     settings.width = 64;
     settings.height = 48;
     settings.threads = 4;
-    const Scene scene{wall()};
+    const Scene& scene = keptScene(wall());
     const Image image = Renderer{settings}.render(scene);
     const ColourRGB& first = image.at(0, 0);
     const auto differ = std::count_if(

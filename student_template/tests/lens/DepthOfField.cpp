@@ -3,6 +3,7 @@
 #include <raytracer/geometry/Material.h>
 #include <raytracer/image/Image.h>
 #include <raytracer/render/Renderer.h>
+#include <support/KeptScene.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -37,7 +38,7 @@ SceneDescription twoBalls() {
 }
 
 Trial::Trial(const SceneDescription& description, int renders) : unwatched_(description) {
-    const Scene scene{description, &log_};
+    const Scene& scene = keptScene(description, &log_);
     for (int i = 0; i < renders; ++i) {
         RenderSettings settings = twoPixels();
         settings.seed = 100U + static_cast<std::uint64_t>(i);

@@ -10,6 +10,7 @@
 #include <raytracer/scene/Camera.h>
 #include <raytracer/scene/Scene.h>
 #include <support/Complaint.h>
+#include <support/KeptScene.h>
 #include <support/RayLog.h>
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ bool stayInFinePixel(int x) {
     settings.height = 1;
     settings.region = {x, 0, 1, 1};
     settings.observer = &log;
-    static_cast<void>(Renderer{settings}.render(Scene{twoBalls(), &log}));
+    static_cast<void>(Renderer{settings}.render(keptScene(twoBalls(), &log)));
     std::vector<Ray> rays = log.rays();
     std::erase_if(rays, [](const Ray& ray) { return ray.origin.z > kNearestSurface; });
     return stayInPixel(rays, settings, 0);  // counted inside of the region

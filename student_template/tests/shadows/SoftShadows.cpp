@@ -5,6 +5,7 @@
 #include <shadows/Room.h>
 #include <shadows/SoftShadows.h>
 #include <support/Complaint.h>
+#include <support/KeptScene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +24,12 @@ bool isNear(const ColourRGB& a, const ColourRGB& b, double share) {
     return near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b);
 }
 
-Trial::Trial(SceneDescription description, const Vector3& point, int calls, int object)
-    : description_(std::move(description)), scene_(description_, &log_) {
+Trial::Trial(const SceneDescription& description, const Vector3& point, int calls, int object) {
+    const Scene& scene = keptScene(description, &log_);
     RenderSettings settings;
     settings.observer = &log_;
     const Renderer renderer{settings};
-    const auto& objects = scene_.objects();
+    const auto& objects = scene.objects();
     const SceneObject& hit =
         object < 0 ? *objects.back() : *objects[static_cast<std::size_t>(object)];
     const Vector3 normal = hit.getNormalAt(point);
@@ -37,7 +38,7 @@ Trial::Trial(SceneDescription description, const Vector3& point, int calls, int 
         log_.clear();
         // Never exactly the same point: a solution may seed a generator from it.
         const Vector3 moved = point + Vector3{1e-7 * i, 0.0, 3e-7 * i};
-        const ColourRGB colour = renderer.illuminate(scene_, hit, moved, normal, kEye);
+        const ColourRGB colour = renderer.illuminate(scene, hit, moved, normal, kEye);
         colours_.push_back(colour);
         mean_ += colour / calls;
         fewestRays_ = std::min(fewestRays_, log_.rays().size());

@@ -31,7 +31,7 @@ inline const std::string kUnseen = "your code casts rays that the test cannot se
 class Trial {
 public:
     /// @param object  Index of the object with the point; -1: the last one.
-    Trial(SceneDescription description, const Vector3& point, int calls, int object = -1);
+    Trial(const SceneDescription& description, const Vector3& point, int calls, int object = -1);
 
     [[nodiscard]] const std::vector<ColourRGB>& colours() const { return colours_; }
     [[nodiscard]] const ColourRGB& mean() const { return mean_; }
@@ -41,9 +41,7 @@ public:
     [[nodiscard]] std::size_t fewestRays() const { return fewestRays_; }
 
 private:
-    SceneDescription description_;
     RayLog log_;
-    Scene scene_;
     std::vector<ColourRGB> colours_;
     ColourRGB mean_;
     std::vector<Ray> rays_;

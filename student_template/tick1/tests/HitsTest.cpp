@@ -25,7 +25,7 @@ protected:
     /// Asks the scene's only object. A distance of 0 stands for no hit.
     void ask(const Ray& ray, double distance, const Vector3& normal,
              const Question& question) const {
-        const Scene built{scene_};
+        const Scene& built = keptScene(scene_);
         const auto hit = built.objects().front()->intersectionWith(ray);
         const auto words = [](double s, const Vector3& at, const Vector3& n) {
             return "a hit at distance " + inWords(s) + ", location " + text(at) + ", normal " +

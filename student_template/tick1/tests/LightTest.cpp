@@ -41,7 +41,7 @@ protected:
 
     /// Of one point of the floor.
     [[nodiscard]] ColourRGB colour() const {
-        const Scene built{scene_};
+        const Scene& built = keptScene(scene_);
         return Renderer{RenderSettings{}}.illuminate(
             built, *built.objects().back(), {1.0, 0.0, 4.0}, {0.0, 1.0, 0.0}, {-0.5, 2.0, 4.5});
     }
@@ -51,7 +51,7 @@ protected:
     }
     void askTrace(const Ray& ray, int bounces, const ColourRGB& expected,
                   const Question& question) const {
-        const ColourRGB got = Renderer{RenderSettings{}}.trace(Scene{scene_}, ray, bounces);
+        const ColourRGB got = Renderer{RenderSettings{}}.trace(keptScene(scene_), ray, bounces);
         settle(isNear(got, expected), question, text(expected), text(got));
     }
 
@@ -140,7 +140,7 @@ TEST_F(Reflections, WithoutBouncesTheDirectLightStays) {
     // Without M3.1 no ray meets the floor: a ball makes sure that the stub of M4 is called.
     SceneDescription ball;
     ball.spheres.push_back({{0.0, 0.0, 5.0}, 1.0, {}, nullptr});
-    static_cast<void>(Renderer{RenderSettings{}}.trace(Scene{ball}, {{}, {0.0, 0.0, 1.0}}, 1));
+    static_cast<void>(Renderer{RenderSettings{}}.trace(keptScene(ball), {{}, {0.0, 0.0, 1.0}}, 1));
     askTrace(
         ray_, 0, kAmbient,
         {"a mirror without bounces left", "Without bounces left the direct light counts whole."});

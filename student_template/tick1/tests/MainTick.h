@@ -5,6 +5,7 @@
 #include <raytracer/math/Vector3.h>
 #include <raytracer/scene/SceneDescription.h>
 #include <support/Complaint.h>
+#include <support/KeptScene.h>
 
 #include <gtest/gtest.h>
 
