@@ -1,7 +1,8 @@
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/MirrorFindings.h>
-#include <grader/tasks/maintick/MirrorQuestions.h>
 #include <grader/tasks/maintick/Threads.h>
+#include <grader/tasks/maintick/mirrors/MirrorEnd.h>
+#include <grader/tasks/maintick/mirrors/MirrorQuestions.h>
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/RunEnd.h>
 #include <grader/tasks/support/Shelf.h>
@@ -176,17 +177,6 @@ std::optional<Finding> checkGrazed(const MirrorQuestion& asked, const probe::Run
                       run);
 }
 
-std::optional<Finding> checkEnd(const probe::Run& run) {
-    using Kind = probe::ProcessEnd::Kind;
-    if (run.end.kind != Kind::crashed && run.end.kind != Kind::timedOut &&
-        run.end.kind != Kind::memory)
-        return std::nullopt;
-    return maintick::failure(kMirrorEndless,
-                             fmt::format("trace was asked about two mirrors that face each other, "
-                                         "with at most {} bounces left: it never came back.",
-                                         maintick::kDeepest));
-}
-
 /// The questions of one seed.
 struct MirrorPlan {
     explicit MirrorPlan(std::uint64_t seed)
@@ -211,9 +201,13 @@ std::optional<TaskJudgement> askMore(const MirrorPlan& plan, probe::Examinee& ex
     std::vector<probe::Question> questions{facing.direct, facing.question, deep.direct,
                                            deep.question, grazed.direct,   grazed.question};
     maintick::askMixedMirrors(mixed, questions);
-    const probe::Run run = examinee.ask(questions);
-    if (auto endless = checkEnd(run)) {
-        findings = {*std::move(endless)};
+    probe::Run run = examinee.ask(questions);
+    if (maintick::isSlowWithManyBounces(run)) {
+        std::get<probe::TraceQuestion>(questions[maintick::kDeep]).rays.pop_back();
+        run = examinee.ask(questions);
+    }
+    if (auto end = maintick::checkMirrorEnd(run)) {
+        findings = {*std::move(end)};
         return std::nullopt;
     }
     if (!findings.empty()) return std::nullopt;

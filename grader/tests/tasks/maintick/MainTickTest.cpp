@@ -2,7 +2,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/tasks/Tasks.h>
 #include <grader/tasks/maintick/LitSetups.h>
-#include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/maintick/mirrors/MirrorQuestions.h>
 #include <grader/tasks/support/Surfaces.h>
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/SlowRun.h>

@@ -1,5 +1,5 @@
 #include <grader/tasks/maintick/JudgeMainTick.h>
-#include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/maintick/mirrors/MirrorQuestions.h>
 #include <grader/tasks/support/Surfaces.h>
 #include <grader/tests/tasks/maintick/RightAnswers.h>
 
@@ -23,11 +23,15 @@ constexpr std::uint64_t kMirrorSeed = 2;
 /// What the examinee does with mirrors.
 struct Mirrors {
     maintick::TraceWay way = {};
-    double bias = -1.0;      ///< of the one ray that is logged; negative: no log
-    double facing = 1.0;     ///< factor of the last colour of two mirrors that face each other
-    double direct = 1.0;     ///< factor of what trace gives of all surfaces
-    int deepest = 1000;      ///< most bounces between mirrors that face each other
-    bool isEndless = false;  ///< crashes between two mirrors that face each other
+    double bias = -1.0;   ///< of the one ray that is logged; negative: no log
+    double facing = 1.0;  ///< factor of the last colour of two mirrors that face each other
+    double direct = 1.0;  ///< factor of what trace gives of all surfaces
+    int deepest = 1000;   ///< most bounces between mirrors that face each other
+    /// The first question that has no answer, of those that are asked after the open scene: 1 are
+    /// mirrors that face each other, 3 those with many bounces, 5 a grazed mirror.
+    std::size_t endsAt = 1000;
+    bool isFirstDeepThere = true;  ///< with endsAt 3: the ray with the fewest bounces has an answer
+    probe::ProcessEnd::Kind end = probe::ProcessEnd::Kind::crashed;
 };
 
 class TracesByModel final : public probe::Examinee {
@@ -44,10 +48,23 @@ public:
                    std::get<probe::TraceQuestion>(questions[i + 1]));
         for (std::size_t i = end; i < questions.size(); ++i)
             run.answers.push_back(rightAnswer(questions[i]));
+        const bool isOpenScene = questions.size() == 2;
+        if (!isOpenScene && mirrors_.endsAt < questions.size()) cutShort(run, questions);
         return run;
     }
 
 private:
+    // Out of time only where the most bounces are asked for.
+    void cutShort(probe::Run& run, const std::vector<probe::Question>& questions) const {
+        const auto& deep = std::get<probe::TraceQuestion>(questions.at(3));
+        const bool isTooSlow = deep.rays.back().bounces == maintick::kDeepest;
+        if (mirrors_.end == probe::ProcessEnd::Kind::timedOut && !isTooSlow) return;
+        run.end.kind = mirrors_.end;
+        for (std::size_t i = mirrors_.endsAt; i < run.answers.size(); ++i)
+            std::visit([](auto& answer) { answer.state = {}; }, run.answers[i]);
+        if (!mirrors_.isFirstDeepThere)
+            std::get<probe::IlluminateAnswer>(run.answers.at(3)).colours.clear();
+    }
     void answer(probe::Run& run, const probe::IlluminateQuestion& points,
                 const probe::TraceQuestion& rays) const {
         probe::IlluminateAnswer direct;
@@ -63,7 +80,6 @@ private:
         run.answers.emplace_back(
             isLit ? facing(direct.colours)
                   : open(rays, direct.colours, isDeep ? mirrors_.deepest : 1000));
-        if (isLit && mirrors_.isEndless) run.end.kind = probe::ProcessEnd::Kind::crashed;
     }
     // By hand: the floor mirrors 0.5, the wall 0.45.
     [[nodiscard]] probe::IlluminateAnswer facing(const std::vector<ColourRGB>& d) const {
@@ -127,17 +143,31 @@ TEST(JudgeMirrors, BlamesAStartOnTheSurfaceOnlyWhereColoursAreWrong) {
     EXPECT_EQ(mirrorIds({.direct = 1.1}), "mirror.base");
 }
 
+TEST(JudgeMirrors, NameAnEndByTheQuestionThatHasNoAnswer) {
+    EXPECT_EQ(mirrorIds({.endsAt = 1}), "mirror.endless");
+    EXPECT_EQ(mirrorIds({.endsAt = 3}), "mirror.bounces") << "an array of 16 reflections";
+    EXPECT_EQ(mirrorIds({.endsAt = 3, .isFirstDeepThere = false}), "mirror.endless");
+    EXPECT_EQ(mirrorIds({.endsAt = 5}), "run.crashed");
+}
+
+// It calls trace three times for each reflection: 3^18 calls take minutes, 3^10 do not.
+TEST(JudgeMirrors, AcceptCodeThatIsTooSlowForTheMostBouncesAlone) {
+    constexpr auto kTimedOut = probe::ProcessEnd::Kind::timedOut;
+    EXPECT_EQ(mirrorIds({.endsAt = 3, .end = kTimedOut}), "");
+    EXPECT_EQ(mirrorIds({.deepest = 8, .endsAt = 3, .end = kTimedOut}), "mirror.bounces");
+}
+
 TEST(JudgeMirrors, WorksOutTwoMirrorsThatFaceEachOther) {
     EXPECT_EQ(mirrorIds({.facing = 1.003}), "");
     EXPECT_EQ(mirrorIds({.facing = 1.005}), "mirror.wrong");
-    EXPECT_EQ(mirrorIds({.isEndless = true}), "mirror.endless");
-    EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way, .isEndless = true}), "mirror.none");
+    EXPECT_EQ(mirrorIds({.endsAt = 1}), "mirror.endless");
+    EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way, .endsAt = 1}), "mirror.none");
 }
 
 TEST(JudgeMirrors, FollowsUpToFortyReflections) {
-    for (int deepest = 3; deepest < 40; ++deepest)
+    for (int deepest = 3; deepest < maintick::kDeepest; ++deepest)
         EXPECT_EQ(mirrorIds({.deepest = deepest}), "mirror.bounces") << deepest;
-    EXPECT_EQ(mirrorIds({.deepest = 40}), "");
+    EXPECT_EQ(mirrorIds({.deepest = maintick::kDeepest}), "");
 }
 
 TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
@@ -161,10 +191,11 @@ TEST(MirrorQuestions, GiveAnotherColourForEveryLimitOfTheDepth) {
             direct.push_back(plane.material.colour * scene.ambientLighting);
         const maintick::TraceModel trace{scene, direct};
         const probe::CastRay& cast = asked.question.rays.back();
-        ASSERT_EQ(cast.bounces, 40);
+        ASSERT_EQ(cast.bounces, maintick::kDeepest);
         const raytracer::Ray ray{cast.origin, cast.direction};
-        for (int limit = 11; limit < 40; ++limit)
-            EXPECT_FALSE(maintick::isNear(trace.along(ray, limit), trace.along(ray, 40), 1e-3))
+        for (int limit = 11; limit < cast.bounces; ++limit)
+            EXPECT_FALSE(
+                maintick::isNear(trace.along(ray, limit), trace.along(ray, cast.bounces), 1e-3))
                 << limit << ", seed " << seed;
         for (int bounces = 1; bounces < 10; ++bounces)
             EXPECT_FALSE(
@@ -172,8 +203,8 @@ TEST(MirrorQuestions, GiveAnotherColourForEveryLimitOfTheDepth) {
                 << bounces << ", seed " << seed;
         for (const maintick::MirrorStart& start :
              {maintick::MirrorStart{1e-6, false}, maintick::MirrorStart{1e-3, true}}) {
-            const std::vector<int> chain = maintick::chainOf(scene, ray, 41, start);
-            ASSERT_EQ(chain.size(), 41U) << seed;
+            const std::vector<int> chain = maintick::chainOf(scene, ray, cast.bounces + 1, start);
+            ASSERT_EQ(chain.size(), static_cast<std::size_t>(cast.bounces + 1)) << seed;
             for (std::size_t i = 0; i < chain.size(); ++i)
                 EXPECT_EQ(chain[i], static_cast<int>(i % 2)) << seed;
         }

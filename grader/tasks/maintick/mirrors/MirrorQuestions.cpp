@@ -1,4 +1,4 @@
-#include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/maintick/mirrors/MirrorQuestions.h>
 
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>

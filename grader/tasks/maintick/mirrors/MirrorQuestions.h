@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_MAINTICK_MIRRORQUESTIONS_H
-#define TICKER_TASKS_MAINTICK_MIRRORQUESTIONS_H
+#ifndef TICKER_TASKS_MAINTICK_MIRRORS_MIRRORQUESTIONS_H
+#define TICKER_TASKS_MAINTICK_MIRRORS_MIRRORQUESTIONS_H
 
 #include <grader/probe/Question.h>
 #include <grader/tasks/maintick/TraceModel.h>
@@ -23,8 +23,9 @@ struct MirrorQuestion {
 /// points of its chain in order.
 [[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
 
-/// Most bounces that are asked for: more than a table of 16 or 32 reflections holds.
-inline constexpr int kDeepest = 40;
+/// Most bounces that are asked for: more than a table of 16 reflections holds, and few enough for
+/// code that calls trace twice for each reflection, whose calls double with each bounce.
+inline constexpr int kDeepest = 18;
 
 /// Two parallel mirrors in ambient light alone, each of one colour: whatever the start of a
 /// reflected ray, the chain is the same. One ray with 4 to 10 and with `kDeepest` bounces, the
