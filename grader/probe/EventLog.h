@@ -30,6 +30,10 @@ public:
     /// student's own code, which reports nothing, the threads give way after every ray.
     void takeTurns() { takesTurns_ = true; }
 
+    /// Later events are not kept: the question has its answer, but code that remembers an earlier
+    /// scene casts rays in it.
+    void close() { capacity_ = 0; }
+
     /// Sets the scene whose objects are numbered; not owned; null: every object is -1.
     void watch(const raytracer::Scene* scene) { scene_ = scene; }
 

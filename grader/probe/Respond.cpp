@@ -87,9 +87,8 @@ raytracer::SceneDescription withSphere(const NormalQuestion& question,
     return scene;
 }
 
-/// A question's sphere in a scene of its own, built like a render's scene. The scenes of a run stay
-/// alive, so that addresses are never reused, as in a render: what a submission caches for an
-/// object or map stays valid. Only the heights are freed.
+/// A question's sphere in a scene of its own, built like a render's scene. Of its map the heights
+/// are freed once it was asked.
 class Stand {
 public:
     explicit Stand(const NormalQuestion& question)
@@ -110,7 +109,31 @@ private:
     raytracer::Scene scene_;
     std::size_t sphere_;
 };
-using Stands = std::deque<Stand>;
+
+/// A scene with its observer.
+struct Stage {
+    std::unique_ptr<EventLog> log;
+    raytracer::RenderSettings settings;
+    raytracer::Scene scene;
+
+    Stage(AnswerSheet& sheet, const raytracer::SceneDescription& description,
+          const raytracer::RenderSettings& wanted)
+        : log(sheet.makeLog()), settings(wanted), scene(description, log.get()) {
+        settings.observer = log.get();
+        log->watch(&scene);
+        if (settings.threads > 1) log->takeTurns();
+    }
+
+    void begin(std::size_t ask) const { log->beginAsk(static_cast<std::uint32_t>(ask)); }
+};
+
+/// The scenes of a run. They stay alive, so that addresses are never reused, as in the program,
+/// which has one scene: what a submission keeps for a scene, an object or a map stays valid.
+struct Scenes {
+    std::deque<Stand> stands;
+    std::deque<Stage> stages;
+    std::deque<raytracer::Scene> others;
+};
 
 const Call& callNamed(std::string_view name) {
     const auto all = calls();
@@ -122,10 +145,10 @@ const Call& callNamed(std::string_view name) {
 
 struct Reply {
     AnswerSheet& sheet;
-    Stands& stands;
+    Scenes& scenes;
 
     void operator()(const NormalQuestion& question) const {
-        Stand& stand = stands.emplace_back(question);
+        Stand& stand = scenes.stands.emplace_back(question);
         for (std::size_t i = 0; i < question.positions.size(); ++i) {
             raytracer::seedRandom(i);
             sheet.attempt(
@@ -135,7 +158,7 @@ struct Reply {
     }
 
     void operator()(const IlluminateQuestion& question) const {
-        const Stage stage{sheet, question.scene, question.settings};
+        const Stage& stage = scenes.stages.emplace_back(sheet, question.scene, question.settings);
         const raytracer::Renderer renderer{stage.settings};
         for (std::size_t i = 0; i < question.points.size(); ++i) {
             const LitPoint& point = question.points[i];
@@ -147,10 +170,11 @@ struct Reply {
                                                    point.normal, point.viewer));
             });
         }
+        stage.log->close();
     }
 
     void operator()(const RenderQuestion& question) const {
-        const Stage stage{sheet, question.scene, question.settings};
+        const Stage& stage = scenes.stages.emplace_back(sheet, question.scene, question.settings);
         for (std::size_t i = 0; i < static_cast<std::size_t>(question.repetitions); ++i) {
             raytracer::RenderSettings settings = stage.settings;
             settings.seed += i;
@@ -160,10 +184,11 @@ struct Reply {
                 copyPixels(i, settings, raytracer::Renderer{settings}.render(stage.scene));
             });
         }
+        stage.log->close();
     }
 
     void operator()(const HitQuestion& question) const {
-        const raytracer::Scene scene{question.scene};
+        const raytracer::Scene& scene = scenes.others.emplace_back(question.scene);
         for (std::size_t i = 0; i < question.rays.size(); ++i) {
             const CastRay& asked = question.rays[i];
             const auto& object = *scene.objects()[static_cast<std::size_t>(asked.object)];
@@ -174,7 +199,7 @@ struct Reply {
     }
 
     void operator()(const TraceQuestion& question) const {
-        const Stage stage{sheet, question.scene, question.settings};
+        const Stage& stage = scenes.stages.emplace_back(sheet, question.scene, question.settings);
         const raytracer::Renderer renderer{stage.settings};
         for (std::size_t i = 0; i < question.rays.size(); ++i) {
             const CastRay& ray = question.rays[i];
@@ -185,11 +210,12 @@ struct Reply {
                             renderer.trace(stage.scene, {ray.origin, ray.direction}, ray.bounces));
             });
         }
+        stage.log->close();
     }
 
     void operator()(const CallQuestion& question) const {
         const Call& call = callNamed(question.function);
-        const raytracer::Scene scene{question.scene};
+        const raytracer::Scene& scene = scenes.others.emplace_back(question.scene);
         const std::span<const double> arguments{question.arguments};
         for (std::size_t i = 0; i < arguments.size() / question.width; ++i) {
             raytracer::seedRandom(question.seed + i);
@@ -211,23 +237,6 @@ private:
         sheet.write(kValuesOfHit * index + 2, told.normal);
     }
 
-    /// A scene with its observer.
-    struct Stage {
-        std::unique_ptr<EventLog> log;
-        raytracer::RenderSettings settings;
-        raytracer::Scene scene;
-
-        Stage(AnswerSheet& sheet, const raytracer::SceneDescription& description,
-              const raytracer::RenderSettings& wanted)
-            : log(sheet.makeLog()), settings(wanted), scene(description, log.get()) {
-            settings.observer = log.get();
-            log->watch(&scene);
-            if (settings.threads > 1) log->takeTurns();
-        }
-
-        void begin(std::size_t ask) const { log->beginAsk(static_cast<std::uint32_t>(ask)); }
-    };
-
     void copyPixels(std::size_t repetition, const raytracer::RenderSettings& settings,
                     const raytracer::Image& image) const {
         if (image.width() != settings.imageWidth() || image.height() != settings.imageHeight()) {
@@ -246,10 +255,10 @@ void answerAll(const std::vector<Question>& questions, std::span<std::byte> memo
     const AnswerLayout layout = layoutFor(questions);
     if (memory.size() < layout.totalBytes)
         throw raytracer::Error("the answer memory is smaller than the answers");
-    Stands stands;
+    Scenes scenes;
     for (std::size_t i = 0; i < questions.size(); ++i) {
         AnswerSheet sheet{memory, layout.places[i]};
-        std::visit(Reply{sheet, stands}, questions[i]);
+        std::visit(Reply{sheet, scenes}, questions[i]);
     }
 }
 
