@@ -18,6 +18,9 @@ namespace ticker::probe {
 using raytracer::ColourRGB;
 using raytracer::Vector3;
 
+/// Largest width and height of a picture that `Renderer::render` is asked for, in pixels.
+inline constexpr int kLargestFrame = 4096;
+
 /// A height map in compact form: height(column, row) is `columns[column] + rows[row]` if `bytes` is
 /// empty, else kBumpFactor * bytes[...] / 255.
 struct HeightMapDescription {

@@ -17,7 +17,6 @@ using raytracer::SceneDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
 constexpr std::uint32_t kVersion = 5;
-constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
 
 void check(const RenderSettings& settings) {

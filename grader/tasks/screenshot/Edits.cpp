@@ -139,6 +139,11 @@ std::optional<Cut> findCut(const ByteView& picture, const Scene& scene) {
     constexpr int kOuter = 240;  // pixels: enough for a window on a large screen
     constexpr double kLikeEnough = 0.95;
     constexpr double kMostShare = 0.96;  // a larger share is the picture itself
+    // A strip of one pixel's width would be made as high as a few million.
+    constexpr int kMostElongated = 8;
+    if (std::max(picture.width, picture.height) >
+        kMostElongated * std::min(picture.width, picture.height))
+        return std::nullopt;
     const Picture outer = ofWidth(picture, kOuter);
     const Picture inner = ofWidth(scene.likeliest(), kSmallWidth);
     const metrics::Fit framed =

@@ -1,3 +1,4 @@
+#include <grader/probe/Question.h>
 #include <grader/tasks/screenshot/DifferenceRaster.h>
 #include <grader/tasks/screenshot/ScreenshotFindings.h>
 #include <grader/tasks/screenshot/ScreenshotWords.h>
@@ -57,12 +58,13 @@ Finding wrongSize(const ByteView& picture, const std::optional<Cut>& cut) {
     const bool isOtherShape = cut && cut->kind == Cut::Kind::otherShape;
     Finding result = finding(
         kScreenshotWrongSize, Severity::fail,
-        fmt::format(
-            "The picture has {} x {} pixels{}; expected is the handout's shape, 4 : 3, from "
-            "{} x {} pixels upwards.",
-            picture.width, picture.height,
-            isOtherShape ? ", so it shows more or less of the scene above and below" : "",
-            kSmallestWidth, kSmallestWidth * 3 / 4),
+        fmt::format("The picture has {} x {} pixels{}; expected is the handout's shape, 4 : 3, "
+                    "with {} x {} "
+                    "to {} x {} pixels.",
+                    picture.width, picture.height,
+                    isOtherShape ? ", so it shows more or less of the scene above and below" : "",
+                    kSmallestWidth, kSmallestWidth * 3 / 4, probe::kLargestFrame,
+                    probe::kLargestFrame * 3 / 4),
         "Render the scene at tick1star's own size, 640 x 480, and hand in that file, not a picture "
         "of the screen.");
     addSize(result, picture);

@@ -78,7 +78,8 @@ raytracer::RenderSettings settingsFor(const Windows& windows, const metrics::Box
 bool isSensibleSize(int width, int height) {
     constexpr int kRounding =
         4;  // |3 width - 4 height| of a picture that is one pixel too high or too low
-    return width >= kSmallestWidth && std::abs(3 * width - 4 * height) <= kRounding;
+    return width >= kSmallestWidth && width <= probe::kLargestFrame &&
+           std::abs(3 * width - 4 * height) <= kRounding;
 }
 
 Windows drawWindows(bool isDeterministic, int width, int height, std::uint64_t seed, int stage) {

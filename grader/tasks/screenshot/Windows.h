@@ -16,7 +16,8 @@ inline constexpr int kSmallestWidth = 320;
 /// Largest displacement at which windows are searched for, pixels.
 inline constexpr int kFarthestShift = 3;
 
-/// True for pictures of the handout's shape, 4 : 3 but for rounding, from 320 x 240 pixels.
+/// True for pictures of the handout's shape, 4 : 3 but for rounding, from 320 x 240 pixels to the
+/// largest frame of a question.
 [[nodiscard]] bool isSensibleSize(int width, int height);
 
 /// A few small parts of a frame, all of one size; none touches another or the frame's edge.

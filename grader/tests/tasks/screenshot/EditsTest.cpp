@@ -167,5 +167,11 @@ TEST(FindCut, FindsNothingInTheSceneItselfOrInAnother) {
     EXPECT_FALSE(findCut(selftest::photograph(320, 240, 8).view(), scene()));
 }
 
+// Scaled to the width of a search, it would take gigabytes and minutes.
+TEST(FindCut, LooksForNothingInAStrip) {
+    EXPECT_FALSE(findCut(selftest::photograph(1, 16'384, 8).view(), scene()));
+    EXPECT_FALSE(findCut(selftest::photograph(16'384, 1, 8).view(), scene()));
+}
+
 }  // namespace
 }  // namespace ticker::tasks::screenshot

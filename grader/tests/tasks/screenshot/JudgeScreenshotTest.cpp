@@ -331,6 +331,9 @@ TEST(JudgeScreenshot, WithoutScenesJudgesTheSizeAlone) {
               "not checked: there is no scene to compare it with");
     EXPECT_EQ(firstId(tasks::judgeScreenshot(photograph(640, 400, 1).view(), {}, 1)),
               "screenshot.wrong-size");
+    EXPECT_EQ(firstId(tasks::judgeScreenshot(photograph(4400, 3300, 1).view(), {}, 1)),
+              "screenshot.wrong-size")
+        << "no frame of a question is so large";
 }
 
 }  // namespace

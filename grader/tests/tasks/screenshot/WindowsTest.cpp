@@ -18,6 +18,8 @@ TEST(SensibleSize, IsTheHandoutsShapeFrom320Upwards) {
     for (const int width : kWidths)
         EXPECT_TRUE(isSensibleSize(width, width * 3 / 4)) << width;
     EXPECT_TRUE(isSensibleSize(1366, 1024)) << "rounded";
+    EXPECT_TRUE(isSensibleSize(4096, 3072));
+    EXPECT_FALSE(isSensibleSize(4400, 3300)) << "the probe draws no such frame";
     EXPECT_FALSE(isSensibleSize(640, 400));
     EXPECT_FALSE(isSensibleSize(480, 640));
     EXPECT_FALSE(isSensibleSize(300, 225));
