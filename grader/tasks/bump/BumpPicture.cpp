@@ -80,8 +80,9 @@ Finding doubt(const std::optional<double>& misfit) {
         return finding;
     }
     finding.message =
-        "Every question was answered rightly, but a picture of the handout's scenes looks like a "
-        "smooth sphere, and not as the answered normals shade it: a person has to compare the two.";
+        "Every question was answered rightly, but a picture of the handout's scenes is no nearer to "
+        "the answered normals than to a smooth sphere. Either the bumps are too weak to see, or "
+        "other code drew it: a person has to look.";
     finding.evidence.emplace_back("distanceOverThatFromSmooth", *misfit);
     return finding;
 }

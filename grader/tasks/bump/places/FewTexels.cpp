@@ -30,7 +30,7 @@ std::vector<double> twoRidges(int count) {
     return heights;
 }
 
-/// Share of right tilts in the second texel, or the last but one.
+/// Shares of right tilts: in the second texel or the last but one, and inside the map.
 class EdgeShares {
 public:
     explicit EdgeShares(int count) : count_(count) {}
@@ -46,8 +46,12 @@ public:
         const double fromEnd = count_ - fromStart;
         if (fromStart > kFrom && fromStart < kTo) start_.add(along);
         if (fromEnd > kFrom && fromEnd < kTo) end_.add(-along);
+        constexpr double kInside = 2.0;
+        if (fromStart > kInside && fromStart < 0.5 * count_ - kInside) inside_.add(along);
+        if (fromEnd > kInside && fromEnd < 0.5 * count_ - kInside) inside_.add(-along);
     }
     [[nodiscard]] double least() const { return std::min(start_.share(), end_.share()); }
+    [[nodiscard]] double inside() const { return inside_.share(); }
 
 private:
     struct Count {
@@ -69,6 +73,7 @@ private:
     int count_;
     Count start_;
     Count end_;
+    Count inside_;
 };
 
 /// Compares what the ridge at the map's end does to the texels before it with what the ridge in the
@@ -238,8 +243,14 @@ FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
         alongV.add(v, onRows[i].dot(parametrisation.alongV(n)));
         lastRow.add(v, byRowRidges[i].dot(parametrisation.alongV(n)));
     }
-    return {alongU.least(),          alongV.least(),       aside.most(),
-            lastColumn.beforeLast(), lastRow.beforeLast(), seam.most()};
+    return {.alongU = alongU.least(),
+            .alongV = alongV.least(),
+            .insideU = alongU.inside(),
+            .insideV = alongV.inside(),
+            .aside = aside.most(),
+            .beforeLastColumn = lastColumn.beforeLast(),
+            .beforeLastRow = lastRow.beforeLast(),
+            .steepAtSeam = seam.most()};
 }
 
 }  // namespace ticker::tasks::bump

@@ -37,6 +37,10 @@ struct FewTexelPlan {
 struct FewTexels {
     double alongU = 1.0;
     double alongV = 1.0;
+    /// The same share inside the map. Differences over a step of u or v that is shorter than a
+    /// texel, such as 0.01, are 0 nearly everywhere if each height is that of the nearest texel.
+    double insideU = 1.0;
+    double insideV = 1.0;
     /// On the map that varies along v alone: the tilts along u in the first or the last column,
     /// divided by those along v, whichever is larger. Right code gives nearly 0. Code that takes
     /// the neighbour beyond the last column from another row gives 1.

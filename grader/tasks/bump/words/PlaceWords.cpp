@@ -83,6 +83,19 @@ Words farColumnWords() {
             "Option 1: What to do, step 3"};
 }
 
+Words shortStepWords(const FewTexels& fewTexels, bool inRows) {
+    return {
+        fmt::format("On a map of {0} {1}s the slope along {2} is lost inside of most {1}s: only "
+                    "{3} of the points there lean the right way.",
+                    inRows ? kFewRows : kFewColumns, inRows ? "row" : "column", inRows ? "v" : "u",
+                    percent(inRows ? fewTexels.insideV : fewTexels.insideU)),
+        fmt::format("Compare neighbouring texels: the {0} of this point and the next {0}. A "
+                    "fixed step of {1}, such as 0.01, stays inside of one texel where the map "
+                    "is small.",
+                    inRows ? "row" : "column", inRows ? "v" : "u"),
+        "Option 1: What to do, step 3"};
+}
+
 }  // namespace
 
 Words fewTexelWords(const FewTexels& fewTexels) {
@@ -92,6 +105,8 @@ Words fewTexelWords(const FewTexels& fewTexels) {
         return lastTexelWords(fewTexels);
     const bool inRows = fewTexels.goodU();
     const std::string texel = inRows ? "row" : "column";
+    if ((inRows ? fewTexels.insideV : fewTexels.insideU) < FewTexels::kLeast)
+        return shortStepWords(fewTexels, inRows);
     return {fmt::format("On a map of {3} {0}s, in the {0} beside the first or the last one, the "
                         "slope along {1} is lost or inverted: only {2} of the points there lean "
                         "the right way.",
