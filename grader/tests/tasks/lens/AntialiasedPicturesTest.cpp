@@ -61,14 +61,14 @@ TEST(AntialiasedPictures, AreAcceptedWithEitherApertureInAllOrAPartOfThePixel) {
 
 // The noise of a single picture may hide antialiasing. Its blur then looks like that of a mistake.
 TEST(AntialiasedPictures, AreNotFailedForASinglePicture) {
-    for (const std::uint64_t seed : {105, 109, 110})
+    for (const std::uint64_t seed : {105U, 109U, 110U})
         EXPECT_EQ(idOf(verdictOn(antialiasing(0.7), {}, seed, true).finding), "") << seed;
 }
 
 TEST(AntialiasedPictures, AreNoExcuseForAFocalPlaneThatIsOffInASinglePicture) {
     Mistake plane;
     plane.focalFactor = 0.95;
-    for (const std::uint64_t seed : {103, 109})
+    for (const std::uint64_t seed : {103U, 109U})
         EXPECT_EQ(idOf(verdictOn({}, plane, seed, true).finding), "dof.focal-distance") << seed;
 }
 
