@@ -80,7 +80,8 @@ Finding doubt(const std::optional<double>& misfit) {
         return finding;
     }
     finding.message =
-        "Every question was answered rightly, but a picture of the handout's scenes is no nearer to "
+        "Every question was answered rightly, but a picture of the handout's scenes is no nearer "
+        "to "
         "the answered normals than to a smooth sphere. Either the bumps are too weak to see, or "
         "other code drew it: a person has to look.";
     finding.evidence.emplace_back("distanceOverThatFromSmooth", *misfit);
