@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
+#include <span>
 #include <utility>
 
 namespace ticker::similar {
@@ -93,7 +93,8 @@ public:
 
     // Each pair is a run of the matcher.
     void addPassages(Comparison& comparison) const {
-        for (SimilarPair& pair : comparison.pairs | std::views::take(kMostPairs))
+        const std::size_t shown = std::min(kMostPairs, comparison.pairs.size());
+        for (SimilarPair& pair : std::span{comparison.pairs}.first(shown))
             pair.passages = matcher_.between(own_[pair.left], own_[pair.right]);
     }
 
