@@ -3,9 +3,12 @@
 #include <student_template/framework/app/view/Lines.h>
 #include <student_template/framework/app/view/process/Process.h>
 
+#include <raytracer/base/Error.h>
+
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -111,6 +114,26 @@ TEST(ViewProcess, EndsWithTheProgramThatIsKilled) {
     waitpid(viewer, nullptr, 0);
     expectGone(child);
     close(ends[0]);
+}
+
+// Of the six ends of its pipes only four can be had.
+TEST(ViewProcess, ClosesThePipesOfAProcessThatTheSystemDoesNotGive) {
+    std::array<int, 5> opened{};
+    for (int& end : opened)
+        end = open("/dev/null", O_RDONLY);
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    rlimit few = before;
+    few.rlim_cur = static_cast<rlim_t>(opened.back());
+    setrlimit(RLIMIT_NOFILE, &few);
+    for (const int end : opened)
+        close(end);
+    for (int attempt = 0; attempt < 2; ++attempt)
+        EXPECT_THROW(Process(shell("true"), Process::Errors::toOurs), Error);
+    const int next = open("/dev/null", O_RDONLY);
+    EXPECT_EQ(next, opened.front()) << "the lowest number is free again";
+    close(next);
+    setrlimit(RLIMIT_NOFILE, &before);
 }
 
 TEST(ViewProcess, WritesToNoneThatReadsNoMore) {

@@ -13,15 +13,30 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
+#include <utility>
 
 namespace raytracer::view {
 namespace {
 
 namespace fs = std::filesystem;
 
+void closeEnd(int& end) {
+    if (end >= 0) close(end);
+    end = -1;
+}
+
+/// Closes the ends that nobody took.
 struct Pipe {
-    int read = -1;
-    int write = -1;
+    Pipe(int readEnd, int writeEnd) : read(readEnd), write(writeEnd) {}
+    ~Pipe() {
+        closeEnd(read);
+        closeEnd(write);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    int read;
+    int write;
 };
 
 // Two forks at a time would hand each other's pipes on, which then never end.
@@ -36,11 +51,6 @@ Pipe makePipe() {
     for (const int end : ends)
         fcntl(end, F_SETFD, FD_CLOEXEC);
     return {ends[0], ends[1]};
-}
-
-void closeEnd(int& end) {
-    if (end >= 0) close(end);
-    end = -1;
 }
 
 std::size_t readAll(int file, char* bytes, std::size_t size) {
@@ -87,12 +97,10 @@ Process::Process(const std::vector<std::string>& command, Errors errors)
     const int err = errors == Errors::withItsOutput ? out.write : STDERR_FILENO;
     handles_->guard = fork();
     if (handles_->guard == 0) becomeGuard(words.data(), {in.read, out.write, err, life.read});
-    for (int* end : {&in.read, &out.write, &life.read})
-        closeEnd(*end);
-    handles_->in = in.write;
-    handles_->out = out.read;
-    handles_->lifeline = life.write;
     if (handles_->guard < 0) throw Error("the system gives no process");
+    handles_->in = std::exchange(in.write, -1);
+    handles_->out = std::exchange(out.read, -1);
+    handles_->lifeline = std::exchange(life.write, -1);
 }
 
 Process::~Process() {
