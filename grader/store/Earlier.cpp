@@ -90,7 +90,7 @@ void dropNewestLike(const SubmissionResult& next, const fs::path& all) {
     try {
         if (agree(readResultJson(newest / "result.json"), next)) fs::remove_all(newest, ignored);
     } catch (const raytracer::InputError&) {
-        return;  // there is none, or a kill left it without its result
+        return;  // no earlier result exists, or a kill left its folder without result.json
     }
 }
 

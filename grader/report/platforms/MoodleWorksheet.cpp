@@ -45,8 +45,8 @@ std::string withoutPunctuation(std::string_view name) {
     return letters;
 }
 
-/// Finds the submission of a row. One that may be another row's is nobody's: a wrong mark is worse
-/// than an empty row.
+/// Finds the submission of a row. A submission that fits several rows gets none of them: a wrong
+/// mark is worse than an empty row.
 class Finder {
 public:
     /// @param teams  All of the worksheet; empty where it has persons.

@@ -63,7 +63,7 @@ TEST(ManualPage, NamesEveryVerbAndIsCleanTroff) {
     EXPECT_EQ(formatted.output, "");
 }
 
-/// What git says about this checkout; empty if it is none.
+/// The answer of git about this folder; empty outside of a checkout.
 std::string gitSays(const std::string& question) {
     const CommandResult answer =
         runCommand("cd " TICKER_SOURCE_DIR " && git rev-parse " + question + " 2>/dev/null");

@@ -64,6 +64,7 @@ struct Told {
 // Earlier words about these mistakes misled their authors.
 TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
     const std::vector<Told> wanted{
+        {"step-of-a-hundredth-of-u-and-v", "is lost inside of most", "Compare neighbouring texels"},
         {"normal-hardly-counts", "the normal lies flat in the surface", "n is missing"},
         {"tangents-in-degrees", "", "std::sin and std::cos take radians"},
         {"inverted", "along both axes", "If your slopes are the neighbour minus this texel, leave"},

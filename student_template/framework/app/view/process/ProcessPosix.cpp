@@ -25,7 +25,7 @@ void closeEnd(int& end) {
     end = -1;
 }
 
-/// Closes the ends that nobody took.
+/// Both ends of a pipe. The destructor closes an end unless its number was taken out (-1).
 struct Pipe {
     Pipe(int readEnd, int writeEnd) : read(readEnd), write(writeEnd) {}
     ~Pipe() {
