@@ -9,21 +9,31 @@ import { fill, open, register, viewName } from "./views.js";
 
 // --- groups --------------------------------------------------------------------------------------
 
+let counts = []; // [{place, members}] of the groups that are shown
+
+function showCount({ place, members }) {
+  const done = members.filter(({ name }) => !isOpen(name)).length;
+  place.textContent = `${counted(members.length, "submission")}, ${done} decided`;
+}
+
 function card(key, members) {
   const [first] = members;
-  const done = members.filter(({ name }) => !isOpen(name)).length;
+  const count = { place: make("p"), members };
+  counts.push(count);
+  showCount(count);
   const ids = [...new Set(first.findings)];
   return make("li", { class: `card group ${first.verdict}` },
     make("p", { class: "chips" }, badge(first.verdict), soft(`option ${first.option}`)),
     make("h2", {}, ids.length > 0 ? ids.join(", ") : "nothing was found"),
     ...changesOf(first).map((change) => make("p", {}, soft("mended by "), make("code", {}, change))),
-    make("p", {}, `${counted(members.length, "submission")}, ${done} decided`),
+    count.place,
     button("Contact sheet", () => { setFilter({ group: key }); open("sheet"); },
       { "aria-label": `Contact sheet: ${ids.join(", ") || words[first.verdict]}` }));
 }
 
 function showGroups() {
   if (filter.group) setFilter({ group: "" });
+  counts = [];
   const groups = new Map();
   for (const name of listed()) {
     const entry = entries.get(name);
@@ -40,7 +50,7 @@ function showGroups() {
 
 // --- the contact sheet ---------------------------------------------------------------------------
 
-let cards = new Map(); // name -> {element, box, isSeen}
+let cards = new Map(); // name -> {element, box, state, ruling, isSeen}
 const picked = () => [...cards].filter(([, { box }]) => box.checked).map(([name]) => name);
 
 const picture = (address, what, name) =>
@@ -68,18 +78,28 @@ const sight = new IntersectionObserver((seen) => {
   showPicked();
 }, { threshold: 0.35 });
 
+/// Shows a card's decision. One that comes takes the tick away: a bulk decision is about what is open.
+function showDecision(name) {
+  const card = cards.get(name);
+  const { ruling, bulk } = standing(name);
+  const said = ruling === "undecided" ? [entries.get(name).verdict] : [ruling, `${words[ruling]}${bulk ? ", in bulk" : ""}`];
+  card.state.replaceChildren(badge(...said));
+  if (ruling !== "undecided" && ruling !== card.ruling) card.box.checked = false;
+  card.ruling = ruling;
+}
+
 function sheetCard(name) {
   const entry = entries.get(name);
-  const { ruling, bulk } = standing(name);
   const box = make("input", { type: "checkbox" });
-  box.checked = ruling === "undecided";
+  box.checked = isOpen(name);
   box.addEventListener("change", showPicked);
+  const state = make("span");
   const element = make("li", { class: `card sheet-card ${entry.verdict}`, "data-name": name },
-    make("p", { class: "row" }, make("label", {}, box, ` ${entry.shown}`), make("span", { class: "grow" }),
-      ruling === "undecided" ? badge(entry.verdict) : badge(ruling, `${words[ruling]}${bulk ? ", in bulk" : ""}`)),
+    make("p", { class: "row" }, make("label", {}, box, ` ${entry.shown}`), make("span", { class: "grow" }), state),
     make("div", { class: "pair" }, soft("...")),
     button("Open", () => open("submission", { name }), { "aria-label": `Open ${entry.shown}` }));
-  cards.set(name, { element, box, isSeen: false });
+  cards.set(name, { element, box, state, isSeen: false });
+  showDecision(name);
   sight.observe(element);
   return element;
 }
@@ -103,8 +123,10 @@ function showSheet() {
   showPicked();
 }
 
-/// Adds cards of submissions that have come since the sheet was drawn; the others stay as they are.
-function addCards() {
+/// Follows other tickers and the grading: new decisions on the cards, and cards of submissions that have come. No
+/// card moves or goes.
+function followClass() {
+  for (const name of cards.keys()) showDecision(name);
   let next = null;
   for (const name of listed().reverse()) {
     if (!cards.has(name)) $(".sheet").insertBefore(sheetCard(name), next);
@@ -132,6 +154,8 @@ export function watchGroups() {
   register("sheet", { show: showSheet, listChanged: showSheet });
   decidesAbout(ready);
   watch((names) => {
-    if (viewName() === "sheet" && names === null && listed().some((name) => !cards.has(name))) addCards();
+    if (names !== null) return; // this page's own decisions: the view is drawn again
+    if (viewName() === "sheet") followClass();
+    if (viewName() === "groups") counts.forEach(showCount);
   });
 }

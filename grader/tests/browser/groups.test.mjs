@@ -126,6 +126,28 @@ test("a submission that comes leaves the contact sheet as it is, and is added to
   await page.close();
 });
 
+test("another ticker's decisions come to an open contact sheet and to the groups", async () => {
+  const session = await startSession(makeClass(20));
+  const hash = "#finding=bump.inverted-u";
+  const ann = await openAs(session, "ann", `${hash}&view=sheet`);
+  const cat = await openAs(session, "cat", `${hash}&view=groups`);
+  const bob = await openAs(session, "bob", hash);
+  const [first, second, third] = await listed(ann.page);
+  const card = (name) => ann.page.locator(".sheet-card", { hasText: name });
+  await card(third).locator("input").uncheck();
+  await cat.page.getByText(/^4 submissions, 0 decided$/).waitFor();
+  assert.equal(await shown(bob.page), first);
+  await bob.page.keyboard.press("n");
+  await card(first).locator(".badge", { hasText: "not yet" }).waitFor();
+  const ticked = (name) => card(name).locator("input").isChecked();
+  assert.deepEqual([await ticked(first), await ticked(second), await ticked(third)], [false, true, false]);
+  await cat.page.getByText(/^4 submissions, 1 decided$/).waitFor();
+  await bob.page.keyboard.press("u");
+  await card(first).locator(".badge", { hasNotText: "not yet" }).waitFor();
+  assert.equal(await ticked(first), false, "nothing is ticked unasked");
+  for (const { page, problems } of [ann, bob, cat]) { assert.deepEqual(problems, []); await page.close(); }
+});
+
 test("saved words are offered to the other ticker, with the student's name", async () => {
   const session = await startSession(makeClass(20));
   const [ann, bob] = [await openAs(session, "ann", "#finding=bump.inverted-u"), await openAs(session, "bob", "#finding=bump.inverted-u")];
