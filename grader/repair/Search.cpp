@@ -1,5 +1,6 @@
 #include <grader/repair/Search.h>
 
+#include <grader/repair/AskedQuestions.h>
 #include <grader/repair/SameAnswers.h>
 #include <grader/repair/TaskLookup.h>
 #include <grader/result/GeneralFindings.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace ticker::repair {
@@ -20,16 +22,6 @@ constexpr std::size_t kScreenedFirst = 25;
 constexpr std::size_t kScreenedTogether = 200;
 constexpr std::size_t kJudgedFirst = 4;
 constexpr std::size_t kJudgedTogether = 16;
-
-/// Notes what a judge asks first, and answers nothing.
-class FirstQuestions final : public probe::Examinee {
-public:
-    [[nodiscard]] Run ask(const std::vector<probe::Question>& questions) override {
-        if (asked.empty()) asked = questions;
-        return {{}, {probe::ProcessEnd::Kind::ourFault, "not asked"}};
-    }
-    std::vector<probe::Question> asked;
-};
 
 std::vector<probe::Question> firstQuestions(const Task& task, std::uint64_t seed) {
     FirstQuestions examinee;
@@ -68,6 +60,17 @@ Search::Search(const Task& task, const TaskJudgement& before,
         others_.push_back(judgeOfMany(*other));
     program.answersUnedited(isFinished(asHandedIn_));
     if (task.screen != nullptr) drawScreening();
+    if (!isSeen_) findDeciding();
+}
+
+void Search::findDeciding() {
+    EditedExaminee asHandedIn{program_, {}};
+    asHandedIn.expect(asHandedIn_);
+    LastQuestions examinee{asHandedIn};
+    static_cast<void>(judge_(examinee, seed_));
+    if (examinee.count < 2) return;
+    deciding_ = std::move(examinee.last);
+    decidedAsHandedIn_ = std::move(examinee.run);
 }
 
 bool Search::takeScreening(Screening drawn) {
@@ -141,6 +144,28 @@ bool Search::passesOthers(const EditSet& set) const {
     });
 }
 
+std::vector<std::optional<Run>> Search::firstRuns(std::span<const EditSet> sets) const {
+    std::vector<std::optional<Run>> changed(sets.size());
+    std::vector<std::size_t> alike;
+    std::vector<EditSet> alikeSets;
+    std::vector<Run> runs = program_.ask(first_, sets);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (!isFinished(runs[i])) continue;
+        if (sameAnswers(runs[i], asHandedIn_)) {
+            alike.push_back(i);
+            alikeSets.push_back(sets[i]);
+        } else {
+            changed[i] = std::move(runs[i]);
+        }
+    }
+    if (deciding_.empty()) return changed;
+    program_.askEach(deciding_, alikeSets, [&](std::size_t i, const Run& run) {
+        if (isFinished(run) && !sameAnswers(run, decidedAsHandedIn_))
+            changed[alike[i]] = std::move(runs[alike[i]]);
+    });
+    return changed;
+}
+
 template <class Use>
 bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
     // What passes cheap questions that the submission fails is worth the time of a later step.
@@ -151,11 +176,9 @@ bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
         const auto some = sets.subspan(at, std::min(together, sets.size() - at));
         at += some.size();
         together = std::min(2 * together, kJudgedTogether);
-        std::vector<Run> runs = program_.ask(first_, some);
-        for (std::size_t i = 0; i < runs.size() && hasTime(); ++i) {
-            if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
-            if (!use(some[i], judge(some[i], std::move(runs[i])))) return false;
-        }
+        std::vector<std::optional<Run>> runs = firstRuns(some);
+        for (std::size_t i = 0; i < runs.size() && hasTime(); ++i)
+            if (runs[i] && !use(some[i], judge(some[i], *std::move(runs[i])))) return false;
     }
     return true;
 }

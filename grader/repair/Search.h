@@ -54,6 +54,9 @@ public:
 private:
     /// Chooses the cheap questions, if possible some that the submission fails without edits.
     void drawScreening();
+    /// Finds the questions at which the judge ends without edits, if the first ones do not show the
+    /// mistake.
+    void findDeciding();
     /// Takes cheap questions if they are the first, or if the submission fails them without edits.
     /// @return  Whether it does.
     bool takeScreening(Screening drawn);
@@ -62,6 +65,9 @@ private:
     [[nodiscard]] std::vector<EditSet> stillPassing(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
     [[nodiscard]] bool passesOthers(const EditSet& set) const;
+    /// What the sets answer first; without a value for those that leave the mistake as it is.
+    [[nodiscard]] std::vector<std::optional<probe::Run>> firstRuns(
+        std::span<const EditSet> sets) const;
     /// Judges each set whose answers differ from those without edits.
     /// @param use  Takes a set and its judgement; false: no more are judged.
     /// @return  False if `use` wanted no more.
@@ -75,11 +81,13 @@ private:
     const SwitchedProgram& program_;
     std::uint64_t seed_;
     const Clock& clock_;
-    std::vector<probe::Question> first_;  ///< what the judge asks first
-    probe::Run asHandedIn_;               ///< the answers to them without edits
-    Screening screening_;                 ///< the cheap questions, if the task has any
-    probe::Run screenedAsHandedIn_;       ///< the answers to them without edits
-    Screening passed_;                    ///< the first cheap questions, if `screening_` are others
+    std::vector<probe::Question> first_;     ///< what the judge asks first
+    probe::Run asHandedIn_;                  ///< the answers to them without edits
+    std::vector<probe::Question> deciding_;  ///< what it asks last without edits, if not first
+    probe::Run decidedAsHandedIn_;           ///< the answers to them without edits
+    Screening screening_;                    ///< the cheap questions, if the task has any
+    probe::Run screenedAsHandedIn_;          ///< the answers to them without edits
+    Screening passed_;     ///< the first cheap questions, if `screening_` are others
     bool isSeen_ = false;  ///< whether the submission fails the cheap questions without edits
     std::size_t asked_ = 0;
     std::set<EditSet> idle_;

@@ -65,12 +65,9 @@ std::size_t SwitchedProgram::askTogether(const std::vector<probe::Question>& que
     if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
 
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        probe::Run run;
+        probe::Run run{probe::readAnswers(questions, part(i)), {}};
         const bool finished = probe::saysFinished(part(i));
-        if (finished)
-            run.answers = probe::readAnswers(questions, part(i));
-        else
-            run.end = {probe::ProcessEnd::Kind::crashed, "with an edit"};
+        if (!finished) run.end = {probe::ProcessEnd::Kind::crashed, "with an edit"};
         use(first + i, std::move(run));
         // Those after it were not asked.
         if (!finished) return i + 1;
@@ -101,8 +98,12 @@ probe::Run EditedExaminee::ask(const std::vector<probe::Question>& questions) {
     if (first_) return *std::exchange(first_, std::nullopt);
     const EditSet sets[] = {set_};
     std::vector<probe::Run> runs = program_.ask(questions, sets);
-    if (runs.empty()) return {{}, {probe::ProcessEnd::Kind::timedOut, "the search is over"}};
-    return std::move(runs.front());
+    if (!runs.empty()) return std::move(runs.front());
+    const probe::AnswerLayout layout = probe::layoutFor(questions);
+    std::vector<std::byte> nothing = probe::unanswered(layout);
+    nothing.resize(layout.totalBytes);
+    return {probe::readAnswers(questions, nothing),
+            {probe::ProcessEnd::Kind::timedOut, "the search is over"}};
 }
 
 }  // namespace ticker::repair

@@ -235,6 +235,28 @@ TEST(Explain, MendsTwoMistakesInTwoStatements) {
     EXPECT_NE(first->edits.front().line, first->edits.back().line);
 }
 
+// Some edits pass the first questions and end the process at later ones: reflections without end.
+TEST(Explain, GoesOnAfterAnEditThatEndsTheProcessAtLaterQuestions) {
+    const pipeline::Grader grader = mainTickGrader();
+    std::string text = readWhole(std::filesystem::path{TICKER_SOURCE_DIR} /
+                                 "reference_solution/tick1/exercise/Renderer.cpp");
+    text = corpus::applyEdits(text,
+                              {{"namespace {\n",
+                                "namespace {\nColourRGB saturate(ColourRGB c) {\n"
+                                "for (double* channel : {&c.r, &c.g, &c.b})\n"
+                                "*channel = std::clamp(*channel, 0.0, 1.0);\nreturn c;\n}\n"},
+                               {"trace(scene, reflected, bouncesLeft - 1) * share",
+                                "saturate(trace(scene, reflected, bouncesLeft - 1)) * share"}},
+                              "clamped");
+    const intake::Submission submission = handedIn("Renderer.cpp", text);
+    const SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
+    ASSERT_EQ(tests::taskOf(result, "M4").state, TaskState::failed);
+
+    const Explanation explanation = explain(submission, grader, result, kSeed + 1, ample());
+    ASSERT_FALSE(explanation.repairs.empty());
+    EXPECT_EQ(explanation.repairs.front().edits.front().to.find("saturate"), std::string::npos);
+}
+
 TEST(Explain, SaysThatItsTimeEnded) {
     const corpus::Entry entry = mistake("T1", "tangents-of-another-axis");
     const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
