@@ -86,6 +86,7 @@ MainPlan planMain(std::uint64_t seed) {
                                                     draws.directions(kOrderedPoints));
     plan.evenSteps = planEvenSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.lightSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0), kLightSteps);
+    plan.belts = planBelts(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
     for (const LevelPair& pair :
          {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows,
@@ -169,6 +170,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.caps = readCaps(plan.caps, answers, parametrisation);
     examination.fewTexels = readFewTexels(plan.fewTexels, answers, parametrisation);
     examination.evenSteps = readEvenSteps(plan.evenSteps, answers, parametrisation);
+    examination.belts = readBelts(plan.belts, answers, parametrisation, *ramps.response);
     return examination;
 }
 

@@ -2,6 +2,7 @@
 #define TICKER_TASKS_BUMP_EXAMINATION_H
 
 #include <grader/tasks/bump/answers/Letters.h>
+#include <grader/tasks/bump/places/Belts.h>
 #include <grader/tasks/bump/places/Caps.h>
 #include <grader/tasks/bump/places/Elsewhere.h>
 #include <grader/tasks/bump/places/EvenSteps.h>
@@ -44,6 +45,7 @@ struct MainPlan {
     FewTexelPlan fewTexels;
     EvenStepPlan evenSteps;
     SharpStepPlan lightSteps;
+    BeltPlan belts;
     OrderPair order;  ///< a rough map of few rows, asked in both orders
 };
 
@@ -87,6 +89,7 @@ struct Examination {
     std::optional<Caps> caps;
     std::optional<FewTexels> fewTexels;
     std::optional<EvenSteps> evenSteps;
+    std::optional<Belts> belts;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// Whether the steep ramps, the large map and the maps of `SlopePlan` agree with the ramps.

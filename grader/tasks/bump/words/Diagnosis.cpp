@@ -157,6 +157,8 @@ constexpr std::array kRightRamps{
     Rule{WrongReason::stepsUneven,
          [](const Examination& e) { return e.evenSteps && !e.evenSteps->good(); }},
     Rule{WrongReason::sharpStepsTurned, [](const Examination& e) { return !e.sharpSteps.good(); }},
+    Rule{WrongReason::besidePlanes,
+         [](const Examination& e) { return e.belts && !e.belts->good(); }},
     Rule{WrongReason::smallSphereDiffers,
          [](const Examination& e) { return e.slopes && !e.slopes->smallAgrees(); }},
     Rule{WrongReason::smoothInPlaces, [](const Examination& e) { return !e.untilted.good(); }},

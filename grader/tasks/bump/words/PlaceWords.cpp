@@ -145,6 +145,17 @@ Words sharpStepWords(const SharpSteps& steps) {
             "Option 1: What to do, step 3"};
 }
 
+Words beltWords(const Belts& belts) {
+    return {
+        fmt::format("Beside the plane {0} = 0 through the centre, where {0} is 0.008 to 0.03 of "
+                    "the radius, the normal leans as at another place of the map at {1} of the "
+                    "points of some part: a stripe runs over the sphere there.",
+                    belts.plane, percent(belts.wrong)),
+        "Take out the condition for a coordinate that is nearly 0: std::atan2 takes any two "
+        "numbers. Only at the exact poles, where both are 0, is there no longitude.",
+        "Option 1: What to do, step 1"};
+}
+
 Words smallSphereWords(const SlopeAgreement& slopes) {
     return {fmt::format("On a sphere of radius 0.05 the tilt along {} follows other slopes than "
                         "those at the point; on a larger sphere it is right.",

@@ -20,6 +20,8 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words unevenWords(const EvenSteps& steps);
 /// White, or light grey, beside black tilts to the wrong side.
 [[nodiscard]] Words sharpStepWords(const SharpSteps& steps);
+/// Another place of the map where a coordinate is nearly 0.
+[[nodiscard]] Words beltWords(const Belts& belts);
 /// Other slopes on a very small sphere.
 [[nodiscard]] Words smallSphereWords(const SlopeAgreement& slopes);
 

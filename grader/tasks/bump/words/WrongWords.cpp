@@ -235,6 +235,8 @@ constexpr std::array kReasons{
               [](const Seen& told) { return unevenWords(*told.examination.evenSteps); }},
     ReasonRow{WrongReason::sharpStepsTurned,
               [](const Seen& told) { return sharpStepWords(told.examination.sharpSteps); }},
+    ReasonRow{WrongReason::besidePlanes,
+              [](const Seen& told) { return beltWords(*told.examination.belts); }},
     ReasonRow{WrongReason::smallSphereDiffers,
               [](const Seen& told) { return smallSphereWords(*told.examination.slopes); }},
     ReasonRow{WrongReason::smoothInPlaces,
