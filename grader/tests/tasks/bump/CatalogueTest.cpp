@@ -65,6 +65,7 @@ struct Told {
 TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
     const std::vector<Told> wanted{
         {"step-of-a-hundredth-of-u-and-v", "is lost inside of most", "Compare neighbouring texels"},
+        {"stripe-where-x-is-nearly-zero", "Beside the plane x = 0", "atan2 takes any two numbers"},
         {"normal-hardly-counts", "the normal lies flat in the surface", "n is missing"},
         {"tangents-in-degrees", "", "std::sin and std::cos take radians"},
         {"inverted", "along both axes", "If your slopes are the neighbour minus this texel, leave"},
