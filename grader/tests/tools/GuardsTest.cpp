@@ -79,6 +79,26 @@ TEST_F(Guards, ThatIgnoreDocumentsAreNotRunAgainAfterAChangeOfOne) {
     EXPECT_EQ(runIn("wc -l < build/times").output, "2\n") << "not a document";
 }
 
+TEST_F(Guards, AreNotRunAgainOnAnotherMachineThatHasTheRecord) {
+    const std::string table = "count\techo x >> times\t-\t-\tnothing\n";
+    folder_.write(".gitignore", "build/\ntimes\n");
+    EXPECT_EQ(runWith(table).status, 0);
+    const CommandResult kept = runIn("rm -r build && git status --porcelain");
+    EXPECT_EQ(kept.output, "?? tools/guards/record.tsv\n");
+    EXPECT_EQ(runWith(table).status, 0) << "commits the record";
+    EXPECT_EQ(runIn("wc -l < times").output, "1\n");
+}
+
+TEST_F(Guards, KeepOneRowOfEach) {
+    EXPECT_EQ(runWith("a\techo 1 test\t[0-9] test\t-\tnothing\n"
+                      "b\ttrue\t-\t-\tnothing\n")
+                  .status,
+              0);
+    EXPECT_EQ(runWith("a\techo 2 test\t[0-9] test\t-\tnothing\n").status, 0);
+    EXPECT_EQ(runIn("cut -f1,3,6 tools/guards/record.tsv").output,
+              "b\tpassed\t\na\tpassed\t2 test\n");
+}
+
 TEST_F(Guards, RunAgainWithAFileThatIsNotYetAdded) {
     const std::string table = "count\techo x >> build/times\t-\t-\tnothing\n";
     EXPECT_EQ(runWith(table).status, 0);
