@@ -9,8 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -66,17 +69,22 @@ inline constexpr const char* kBallOverFloor = R"(<scene>
   <plane x="0" y="-1" z="0" nx="0" ny="1" nz="0" colour="#00ff00"/>
 </scene>)";
 
-/// While it lives, the system gives this program no file and no pipe.
-class NoFiles {
+/// While it lives, the system gives this program two files more: too few for a process. Two,
+/// because the sanitizer opens a pipe to look at an exception that is caught.
+class FewFiles {
 public:
-    NoFiles() {
+    FewFiles() {
         getrlimit(RLIMIT_NOFILE, &before_);
-        const rlimit none{0, before_.rlim_max};
-        setrlimit(RLIMIT_NOFILE, &none);
+        const int first = open("/dev/null", O_RDONLY);
+        const int second = open("/dev/null", O_RDONLY);
+        const rlimit few{static_cast<rlim_t>(std::max(first, second)) + 1, before_.rlim_max};
+        setrlimit(RLIMIT_NOFILE, &few);
+        close(first);
+        close(second);
     }
-    ~NoFiles() { setrlimit(RLIMIT_NOFILE, &before_); }
-    NoFiles(const NoFiles&) = delete;
-    NoFiles& operator=(const NoFiles&) = delete;
+    ~FewFiles() { setrlimit(RLIMIT_NOFILE, &before_); }
+    FewFiles(const FewFiles&) = delete;
+    FewFiles& operator=(const FewFiles&) = delete;
 
 private:
     rlimit before_{};

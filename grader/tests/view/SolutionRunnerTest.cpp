@@ -84,7 +84,7 @@ TEST(SolutionRunner, SaysThatTheSystemGivesNoProcessAndGoesOn) {
     SolutionRunner runner{kit.home().program, troubleIn(troubles)};
     const std::string words = "Your code could not be started: the system gives no pipe.";
     {
-        const NoFiles none;
+        const FewFiles few;
         EXPECT_EQ(runner.ask("pixel", {}).payload, words);
         runner.render(1, {});
     }

@@ -200,7 +200,7 @@ TEST(Workshop, ForgetsTheTestsOfCodeThatNoLongerCompiles) {
 TEST(Workshop, SaysThatTheSystemGivesNoProcess) {
     const FakeKit kit;
     Board board;
-    const NoFiles none;
+    const FewFiles few;
     const Workshop workshop{kit.home(), board, nobody()};
     const Json all = waitFor(board, [](const Json& news) {
         return news.contains("build") && news["build"]["state"] == "failed";

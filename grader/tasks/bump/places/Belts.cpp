@@ -22,6 +22,7 @@ Vector3 besidePlane(Draws& draws, std::size_t belt) {
     const double sign = draws.integer(0, 1) == 0 ? 1.0 : -1.0;
     const double little = sign * kNarrow * std::pow(kWide / kNarrow, draws.uniform(0.0, 1.0));
     const double turn =
+        // NOLINTNEXTLINE(bugprone-integer-division): a whole number of quarters
         (static_cast<double>(belt / kPlanes) + draws.uniform(0.05, 0.95)) * kTurn / kQuarters;
     const double ring = std::sqrt(1.0 - little * little);
     const double one = ring * std::cos(turn);

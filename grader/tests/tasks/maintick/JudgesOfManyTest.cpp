@@ -39,7 +39,7 @@ TEST(JudgesOfMany, AskWhatAJudgeOfOneAsks) {
             EXPECT_EQ(some(examinee, seed).state, TaskState::failed);
             return examinee.asked;
         };
-        for (const std::uint64_t seed : {5, 6, 5})
+        for (const std::uint64_t seed : {5U, 6U, 5U})
             EXPECT_EQ(askedBy(judgeOfMany, seed), askedBy(judge, seed)) << name << ' ' << seed;
         EXPECT_NE(askedBy(judgeOfMany, 5), askedBy(judgeOfMany, 6)) << name;
     };

@@ -3,12 +3,14 @@
 #include <grader/tasks/bump/places/Belts.h>
 #include <grader/tasks/bump/words/PlaceWords.h>
 #include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
 #include <grader/tests/tasks/bump/SomeReadings.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -47,7 +49,7 @@ selftest::NormalFunction readAt(Place place) {
 constexpr double kNearly = 0.02;
 
 TEST(ReadBelts, SeesAnotherColumnWhereACoordinateIsNearlyZero) {
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U})
         for (const double instead : {0.0, 0.25, 0.75}) {
             const Belts x = beltsOf(readAt([&](const Vector3& n, double u, double v) {
                                         return std::pair{std::abs(n.x) < kNearly ? instead : u, v};

@@ -40,7 +40,7 @@ selftest::NormalFunction withHelperBeyond(double limit) {
 TEST(ReadCaps, SeesAnotherHelperVectorAtOneEndFromSixDegreesOn) {
     // Of 48 evenly spaced points 16 lean the right way, whatever is drawn.
     for (const double limit : {0.99, 0.995})
-        for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
             const Caps caps = capsOf(withHelperBeyond(limit), tests::kParametrisation, seed);
             EXPECT_LT(caps.alongU, 0.5) << limit;
             EXPECT_LT(caps.alongV, 0.5) << limit;
@@ -57,7 +57,7 @@ TEST(ReadCaps, SeesAPolarAngleThatStopsTwelveDegreesBeforeThePoles) {
                           point.centre + Vector3{n.x * ring, y, n.z * ring} * point.radius};
         return selftest::modelNormal({}, selftest::Mistake::none, there);
     };
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U})
         EXPECT_LT(capsOf(limited, tests::kParametrisation, seed).alongV, 0.1);
 }
 

@@ -41,7 +41,7 @@ TEST(ReadElsewhere, SeesANormalThatIsMirroredOnlyOnTheSideThatFacesTheEye) {
         const bool isSeen = tests::smooth(point).dot(toEye) > 0.0;
         return isSeen && facing < 0.0 ? (tilted - toEye * (2.0 * facing)).normalised() : tilted;
     };
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U})
         EXPECT_GT(changedBy(mirrored, seed), 0.25);
     const TaskJudgement judgement = tests::judge(mirrored);
     ASSERT_EQ(tests::firstId(judgement), "bump.wrong");

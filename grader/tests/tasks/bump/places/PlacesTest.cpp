@@ -36,7 +36,7 @@ void expectRoom(const Examination& examination) {
 TEST(Places, AcceptedReadingsAreFarFromTheLimits) {
     // In a quick run every fiftieth, another one under each seed.
     const std::size_t step = tests::isSlowRun() ? 1 : 50;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const std::vector<selftest::Reading> readings = selftest::acceptedReadings(seed);
         for (std::size_t i = seed; i < readings.size(); i += step) {
             SCOPED_TRACE(describe(readings[i]));
