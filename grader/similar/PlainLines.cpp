@@ -74,17 +74,38 @@ std::string plain(const Piece& piece) {
     return isPlain(text.front()) ? text : "";
 }
 
+/// Whether a header's name follows, as after `__has_include(`: in it `/*` starts no comment. After
+/// `#include` it does no harm: there is no header of such a name, so that the file does not
+/// compile.
+bool asksForHeader(std::string_view code) {
+    const auto takeSpaces = [&] { code = code.substr(0, code.find_last_not_of(" \n") + 1); };
+    takeSpaces();
+    if (!code.ends_with('(')) return false;
+    code.remove_suffix(1);
+    takeSpaces();
+    return code.ends_with("__has_include") || code.ends_with("__has_include_next");
+}
+
+/// The length of the header's name in angle brackets with which `rest` starts, or 0. `before`: what
+/// comes before it, without comments.
+std::size_t headerLength(std::string_view before, std::string_view rest) {
+    if (!rest.starts_with('<') || !asksForHeader(before)) return 0;
+    const std::size_t end = rest.find_first_of(">\n");
+    return end != rest.npos && rest[end] == '>' ? end + 1 : 0;
+}
+
 std::string plainText(std::string_view source) {
     const Spliced spliced = withoutSplices(source);
     std::string text;
     std::size_t lineEnds = 0;  // that are not yet in the text
     for (std::size_t at = 0; at < spliced.text.size();) {
+        const std::size_t header = headerLength(text, std::string_view{spliced.text}.substr(at));
         const Piece piece = intake::pieceAt(at, spliced.text);
-        const std::size_t end = endOf(piece, at, spliced, source);
+        const std::size_t end = header > 0 ? at + header : endOf(piece, at, spliced, source);
         const std::string_view whole =
             source.substr(spliced.from[at], spliced.from[end] - spliced.from[at]);
         lineEnds += static_cast<std::size_t>(std::ranges::count(whole, '\n'));
-        const std::string code = plain(piece);
+        const std::string code = header > 0 ? "<>" : plain(piece);
         if (code.empty())
             text += lineEnds > 0 ? std::string(std::exchange(lineEnds, 0), '\n') : " ";
         text += code;

@@ -77,6 +77,7 @@ TEST_F(SimilarFiles, NoLineThatCompilesHidesACopy) {
           std::string{"// a \\ \n/*\n"}, std::string{"/\\\n/ /*\n"},
           std::string{"auto t = \"a\\\r\n/*\";\n"}, std::string{"auto t = R\"x()\\\nx\" /*)x\";\n"},
           std::string{"int n = 1'0, m = '/*';\n"},
+          std::string{"#if __has_include(</*>) || __has_include_next /**/ (\\\n <'/*>)\n#endif\n"},
           std::string{"int f(int n) { switch (n) { case'\"': return \"/*\"[0]; } }\n"},
           std::string{"#define $R\nauto t = $R\"(\";\n"},
           std::string{"#define \u00e9R\nauto t = \u00e9R\"(\";\n"}}) {
