@@ -86,7 +86,7 @@ TEST(ReadBelts, SeesNormalsThatStaySmoothThere) {
     EXPECT_FALSE(belts.good()) << belts.wrong;
 }
 
-TEST(ReadBelts, AcceptsEveryReadingWithItsOwnParametrisation) {
+TEST(ReadBelts, LetsEveryAcceptedReadingPass) {
     for (const selftest::Reading& reading : tests::someReadings()) {
         const MainPlan plan = planMain(3);
         const Examination examination =
