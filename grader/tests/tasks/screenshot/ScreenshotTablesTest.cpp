@@ -1,7 +1,6 @@
 #include <grader/build/Kit.h>
 #include <grader/lab/selftest/ScreenshotTables.h>
 #include <grader/tests/support/Files.h>
-#include <grader/tests/support/SlowRun.h>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +9,7 @@
 namespace ticker::selftest {
 namespace {
 
-// A part of `./tick selftest --screenshots`; `./tick guard slow` runs a tenth of it. An honest
-// picture fails with a chance below 3e-7.
+// A tenth of `./tick selftest --screenshots`. An honest picture fails with a chance below 3e-7.
 TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     const std::filesystem::path root{TICKER_SOURCE_DIR};
     const std::vector<pipeline::SpecScene> scenes =
@@ -19,7 +17,7 @@ TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     const build::Kit kit = build::Kit::besideProgram();
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     ScreenshotRun run;
-    run.fraction = tests::isSlowRun() ? 0.1 : 0.03;
+    run.fraction = 0.1;
     const RightSource reference{"reference", "BumpySphere.cpp",
                                 tests::readFile("reference_solution/exercise/BumpySphere.cpp")};
     const ScreenshotSelfTest result = runScreenshotTables({scenes, kit, sandbox, {reference}}, run);
@@ -27,7 +25,7 @@ TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     int judged = 0;
     for (const ScreenshotRow& row : result.honest)
         judged += row.judged;
-    EXPECT_GE(judged, tests::isSlowRun() ? 25 : 8);
+    EXPECT_GE(judged, 25);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include <grader/lab/selftest/Combinations.h>
 #include <grader/lab/selftest/MistakeTables.h>
-#include <grader/tests/support/SlowRun.h>
 
 #include <gtest/gtest.h>
 
@@ -50,7 +49,7 @@ TEST(Combinations, AreDrawnAnewFromAnotherSeed) {
 TEST(Combinations, OfAcceptedReadingsPass) {
     MistakeRun run;
     run.seed = 7;
-    const std::size_t count = tests::isSlowRun() ? 24 : 2;
+    const std::size_t count = 24;
     const auto rows = runMistakes(drawCombinations(accepted(), count, run.seed),
                                   build::Kit::besideProgram(), sandbox::Sandbox::best(), run);
     EXPECT_EQ(rows.size(), count);
