@@ -9,10 +9,10 @@
 
 namespace ticker::tests {
 
-/// The accepted readings, all of them in a slow run; else every eleventh, which has each kind of gain,
+/// The accepted readings, all of them in a slow run; else every 13th, which has each kind of gain,
 /// sampling and difference.
 [[nodiscard]] inline std::vector<selftest::Reading> someReadings() {
-    constexpr std::size_t kStep = 11;
+    constexpr std::size_t kStep = 13;
     const std::vector<selftest::Reading> all = selftest::acceptedReadings(1);
     std::vector<selftest::Reading> some;
     for (std::size_t i = 0; i < all.size(); i += isSlowRun() ? 1 : kStep)

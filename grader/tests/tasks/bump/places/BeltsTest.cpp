@@ -87,8 +87,8 @@ TEST(ReadBelts, SeesNormalsThatStaySmoothThere) {
 }
 
 TEST(ReadBelts, LetsEveryAcceptedReadingPass) {
+    const MainPlan plan = planMain(3);
     for (const selftest::Reading& reading : tests::someReadings()) {
-        const MainPlan plan = planMain(3);
         const Examination examination =
             examine(plan, tests::answersOf(plan.questionnaire, [&](const Point& point) {
                         return modelNormal(reading, selftest::Mistake::none, point);
