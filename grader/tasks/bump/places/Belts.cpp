@@ -3,7 +3,6 @@
 #include <grader/tasks/bump/questions/Numbers.h>
 
 #include <cmath>
-#include <utility>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -44,6 +43,7 @@ std::vector<double> wave(int count, double phase) {
 struct Tally {
     double counted = 0.0;
     double wrong = 0.0;
+    double tilt = 0.0;  ///< sum of their tilts along the axis, without signs
 
     /// @param rise   Of the wave along the axis, as a share of the steepest.
     /// @param along  The tilt along it.
@@ -51,6 +51,7 @@ struct Tally {
         constexpr double kSteep = 0.4;
         if (std::abs(rise) < kSteep) return;
         counted += 1.0;
+        tilt += std::abs(along);
         if (!(along * rise < 0.0)) wrong += 1.0;  // a raised bump leans away from the rise
     }
 
@@ -59,6 +60,30 @@ struct Tally {
         return counted < kFewest ? 0.0 : wrong / counted;
     }
 };
+
+/// Tallies of one axis, one for each belt.
+using Axis = std::array<Tally, kPlanes * kQuarters>;
+
+double meanTilt(const Axis& axis) {
+    double counted = 0.0;
+    double tilt = 0.0;
+    for (const Tally& tally : axis) {
+        counted += tally.counted;
+        tilt += tally.tilt;
+    }
+    return counted > 0.0 ? tilt / counted : 0.0;
+}
+
+/// The worst belt of `axis`; none where tilts along the other axis hide those along this one: the
+/// parametrisation is measured, so that its directions are off by up to a thousandth.
+Belts worstOf(const Axis& axis, const Axis& other) {
+    constexpr double kWeakest = 1.0 / 200.0;
+    Belts worst;
+    if (meanTilt(axis) < kWeakest * meanTilt(other)) return worst;
+    for (std::size_t belt = 0; belt < axis.size(); ++belt)
+        if (axis[belt].share() > worst.wrong) worst = {axis[belt].share(), "xyz"[belt % kPlanes]};
+    return worst;
+}
 
 bool isFarFromEdges(const Parametrisation& parametrisation, const Vector3& n) {
     constexpr double kFromSeam = 0.05;
@@ -93,7 +118,8 @@ BeltPlan planBelts(Questionnaire& questionnaire, Draws& draws, const Ball& ball)
 
 Belts readBelts(const BeltPlan& plan, const Answers& answers,
                 const Parametrisation& parametrisation, const Response& response) {
-    std::array<std::pair<Tally, Tally>, kPlanes * kQuarters> tallies;
+    Axis onU;
+    Axis onV;
     for (const BeltPlan::Wave& asked : plan.waves) {
         const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.flat, asked.question);
         for (std::size_t i = 0; i < tilts.size(); ++i) {
@@ -101,16 +127,15 @@ Belts readBelts(const BeltPlan& plan, const Answers& answers,
             if (!isFarFromEdges(parametrisation, n)) continue;
             const double riseU = -std::sin(kTurn * parametrisation.u(n) + asked.phaseU);
             const double riseV = -std::sin(kTurn * parametrisation.v(n) + asked.phaseV);
-            auto& [u, v] = tallies.at(beltOf(i));
-            u.add(riseU, response.u.sign() * tilts[i].dot(parametrisation.alongU(n)));
-            v.add(riseV, response.v.sign() * tilts[i].dot(parametrisation.alongV(n)));
+            const double tiltU = response.u.sign() * tilts[i].dot(parametrisation.alongU(n));
+            const double tiltV = response.v.sign() * tilts[i].dot(parametrisation.alongV(n));
+            onU.at(beltOf(i)).add(riseU, tiltU);
+            onV.at(beltOf(i)).add(riseV, tiltV);
         }
     }
-    Belts belts;
-    for (std::size_t belt = 0; belt < tallies.size(); ++belt)
-        for (const Tally& tally : {tallies[belt].first, tallies[belt].second})
-            if (tally.share() > belts.wrong) belts = {tally.share(), "xyz"[belt % kPlanes]};
-    return belts;
+    const Belts alongU = worstOf(onU, onV);
+    const Belts alongV = worstOf(onV, onU);
+    return alongV.wrong > alongU.wrong ? alongV : alongU;
 }
 
 }  // namespace ticker::tasks::bump

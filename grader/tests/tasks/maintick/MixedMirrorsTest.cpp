@@ -1,9 +1,11 @@
 #include <grader/tasks/maintick/mixed/MixedMirrors.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace ticker::tasks::maintick {
 namespace {

@@ -20,11 +20,12 @@ namespace {
 
 using selftest::Point;
 
-Belts beltsOf(const selftest::NormalFunction& function, std::uint64_t seed) {
+Belts beltsOf(const selftest::NormalFunction& function, std::uint64_t seed,
+              const Parametrisation& parametrisation = tests::kParametrisation) {
     Questionnaire questionnaire;
     Draws draws(seed);
     const BeltPlan plan = planBelts(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
-    return readBelts(plan, tests::answersOf(questionnaire, function), tests::kParametrisation, {});
+    return readBelts(plan, tests::answersOf(questionnaire, function), parametrisation, {});
 }
 
 /// Where the map is read, for a point at (u, v) whose smooth normal is n.
@@ -96,6 +97,31 @@ TEST(ReadBelts, LetsEveryAcceptedReadingPass) {
         if (!examination.belts) continue;  // heights in whole bytes
         EXPECT_LE(examination.belts->wrong, 0.02) << describe(reading);
     }
+}
+
+TEST(ReadBelts, JudgeNoAxisWhoseTiltsAreFarWeakerThanTheOthers) {
+    // The measured axis is off by up to a thousandth.
+    const Parametrisation measured({0.0007, 1.0, 0.0007}, 0.5, false);
+    for (const auto& [timesU, timesV] :
+         {std::pair{1.0, 3000.0}, std::pair{1.0, 30000.0}, std::pair{3000.0, 1.0}}) {
+        const auto unequal = tests::inProportion(
+            tests::kParametrisation, [u = timesU, v = timesV](const auto&, const Point&) {
+                return std::pair{u * 1e-3, v * 1e-3};
+            });
+        for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            EXPECT_TRUE(beltsOf(unequal, seed, measured).good()) << timesU << " " << timesV;
+    }
+}
+
+TEST(ReadBelts, JudgeAnAxisWhoseTiltsAreAHundredTimesWeaker) {
+    const auto striped =
+        tests::inProportion(tests::kParametrisation, [](const tests::Place&, const Point& point) {
+            const Vector3 n = tests::smooth(point);
+            return std::pair{std::abs(n.x) < kNearly ? -0.01 : 0.01, 1.0};
+        });
+    const Belts belts = beltsOf(striped, 1);
+    EXPECT_FALSE(belts.good()) << belts.wrong;
+    EXPECT_EQ(belts.plane, 'x');
 }
 
 TEST(BeltWords, NameThePlaneAndTheCondition) {
