@@ -1,4 +1,5 @@
 // Properties that the questions of T2.1 have whatever the seed, tested for three seeds or more.
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
