@@ -79,12 +79,20 @@ TEST(MixedMirrors, HaveEachShareAtTheFirstPlacesUnderEverySeed) {
         EXPECT_GE(count([](const MixedMirror& m) { return !m.scene.pointLights.empty(); }), 5);
         EXPECT_GE(count([](const MixedMirror& m) { return m.links.front().P.z < 0.0; }), 6);
         EXPECT_GE(count([](const MixedMirror& m) { return m.links.size() == kMostLinks; }), 2);
-        EXPECT_GE(count([](const MixedMirror& m) {
-                      return tasks::materialOf(m.scene, m.links.front().object).colour ==
-                             ColourRGB{};
-                  }),
-                  1);
     }
+}
+
+TEST(MixedMirrors, HaveABlackOneFirstUnderNearlyEverySeed) {
+    // A seed has none with a chance of at most 1 in 300 (it was 1 of 600 seeds, the draws of two
+    // compilers), so that more than 10 have none with a chance below 1e-7.
+    constexpr int kMostWithout = 10;
+    int without = 0;
+    for (std::uint64_t seed = 0; seed < kMixedMirrorSeeds; ++seed)
+        if (std::ranges::none_of(drawMixedMirrors(seed), [](const MixedMirror& m) {
+                return tasks::materialOf(m.scene, m.links.front().object).colour == ColourRGB{};
+            }))
+            ++without;
+    EXPECT_LE(without, kMostWithout);
 }
 
 TEST(MixedMirrors, BlendAlongTheirLinks) {
