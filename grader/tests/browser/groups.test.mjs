@@ -221,15 +221,15 @@ test("who shares code is a filter, and leads to the two files", async () => {
   const [opened] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("link", { name: "Compare the files" }).click()]);
   await opened.waitForLoadState();
   assert.equal(await opened.title(), "Similar submissions");
+  assert.deepEqual(problems, []);
+  await opened.close();
+  await page.close(); // which would ask a session that has ended
   await session.kill("SIGTERM"); // which writes the students' pages
   for (const file of ["report", "student"])
     for (const each of names) {
       const html = existsSync(join(out, each, `${file}.html`)) ? readFileSync(join(out, each, `${file}.html`), "utf8") : "";
       assert.ok(!html.includes("Shares code"), "in no report");
     }
-  assert.deepEqual(problems, []);
-  await opened.close();
-  await page.close();
 });
 
 test("the address says what the list shows, in which order, and what fills the page", async () => {
