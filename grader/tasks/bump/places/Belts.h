@@ -31,7 +31,8 @@ struct BeltPlan {
 /// Share of the points that lean to the wrong side along one axis of the map, in the quarter of a
 /// belt where most do. Only points on steep parts of the wave count, two or all of the three maps
 /// at any place, so that a place that is wrong by a twentieth of the map gives 0. A place that is
-/// wrong by a quarter of the map gives a third or more, one that is wrong by half of it gives 1.
+/// wrong by a quarter of the map gives a third or more, one that is wrong by half of it gives 1. An
+/// axis along which bumps tilt less than a two-hundredth as far as along the other is not judged.
 struct Belts {
     double wrong = 0.0;
     char plane = 'x';  ///< of which coordinate

@@ -100,7 +100,7 @@ TEST(ReadBelts, LetsEveryAcceptedReadingPass) {
 }
 
 TEST(ReadBelts, JudgeNoAxisWhoseTiltsAreFarWeakerThanTheOthers) {
-    // The measured axis is off by up to a thousandth.
+    // An axis as it may be measured.
     const Parametrisation measured({0.0007, 1.0, 0.0007}, 0.5, false);
     for (const auto& [timesU, timesV] :
          {std::pair{1.0, 3000.0}, std::pair{1.0, 30000.0}, std::pair{3000.0, 1.0}}) {
