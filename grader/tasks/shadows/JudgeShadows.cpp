@@ -26,7 +26,7 @@ std::optional<Finding> takeWarning(Stage& stage) {
 // The rays that a render is expected to show. If `illuminate` shows only a ray to each light's
 // centre, since it intersects the scene by itself, so does a render.
 VisibleRays visibleRays(const ShadowOutcome& outcome, const std::vector<ShadowLog>& logs) {
-    VisibleRays visible{.all = !outcome.rayless};
+    VisibleRays visible{.all = !outcome.rayless, .cached = outcome.cached};
     if (outcome.onlyExtra)
         visible.toALight = countRays(ShadowLogs{logs}.atHandoutSettings()).fewest;
     return visible;
@@ -40,12 +40,18 @@ bool judgeUnseenShadows(probe::Examinee& examinee, PenumbraShelf& shelf, std::ui
     const bool unexplained =
         !outcome.findings.empty() && is(outcome.findings.front(), kShadowWrong);
     const bool cut = outcome.cut && !hasFailure(outcome.findings);
-    if (!cut && !(outcome.rayless && (outcome.reading || unexplained))) return false;
+    const bool cached = outcome.cached && !hasFailure(outcome.findings);
+    const bool rayless = outcome.rayless && (outcome.reading || unexplained);
+    if (!cut && !cached && !rayless) return false;
     const char* reason = "illuminate casts no ray through findClosestIntersection";
     if (outcome.onlyExtra)
         reason =
             "illuminate casts rays to the light's centre alone through findClosestIntersection, "
             "and gives fractions of the light all the same";
+    if (cached)
+        reason =
+            "illuminate tests the object that blocked an earlier ray without "
+            "findClosestIntersection (a shadow cache), so that some blocked rays were not seen";
     if (cut) reason = "illuminate casts far more rays than asked for, so not all were followed";
     outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));
     std::optional<Finding> warning;

@@ -1,11 +1,13 @@
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/AimPlot.h>
+#include <grader/tasks/shadows/answers/ShadowCache.h>
 #include <grader/tasks/shadows/checks/PartOfLight.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/shadows/mixed/MixedCheck.h>
 #include <grader/tasks/support/Checks.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <algorithm>
@@ -232,9 +234,7 @@ const std::vector<ShadowCheck>& checksOfValues() {
     return kChecks;
 }
 
-}  // namespace
-
-ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
+ShadowOutcome judgeLogged(const std::vector<ShadowLog>& all) {
     const ShadowLogs logs{all};
     ShadowOutcome outcome;
     if (std::optional<Finding> finding = checkFinite(logs)) {
@@ -252,6 +252,20 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     outcome.reading = seen.reading;
     outcome.plots = unshown({plotAims(logs.farLight, logs.oneLight)}, outcome.findings);
     return outcome;
+}
+
+}  // namespace
+
+ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
+    ShadowOutcome outcome = judgeLogged(all);
+    if (!hasFailure(outcome.findings) || outcome.cut) return outcome;
+    const std::optional<std::vector<ShadowLog>> whole = withCachedRays(all);
+    if (!whole) return outcome;
+    ShadowOutcome cached = judgeLogged(*whole);
+    // Colours that count the missing rays as blocked are what shows the cache.
+    if (!cached.reading) return outcome;
+    cached.cached = true;
+    return cached;
 }
 
 }  // namespace ticker::tasks

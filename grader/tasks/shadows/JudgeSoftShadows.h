@@ -16,7 +16,8 @@ struct ShadowOutcome {
     std::vector<ScatterPlot> plots;        ///< the rays' aims, unless a finding shows them
     bool rayless = false;                  ///< the rays are not visible: only values can be judged
     bool onlyExtra = false;                ///< likewise, but for rays to the light's centre
-    bool cut = false;                      ///< casts more rays than could be followed
+    bool cached = false;  ///< a shadow cache hides some blocked rays: the others were judged
+    bool cut = false;     ///< casts more rays than could be followed
 };
 
 /// Judges T2.1 from answered questions alone: no randomness, no asking.

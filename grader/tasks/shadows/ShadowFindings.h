@@ -211,8 +211,8 @@ inline constexpr FindingText kShadowUnseenRays{
     .id = "shadow.unseen-rays",
     .words = "cast shadow rays that cannot be seen",
     .meaning =
-        "note: no ray was seen, or more than can be followed, so values were judged statistically; "
-        "warn, for a person: they left it open"};
+        "note: no ray was seen, or more than can be followed, or a shadow cache hides some blocked "
+        "ones, so values were judged statistically; warn, for a person: they left it open"};
 
 inline constexpr FindingText kShadowWrong{
     .id = "shadow.wrong",

@@ -12,10 +12,6 @@
 namespace ticker::tasks {
 namespace {
 
-bool isBlocked(const AimLine& line) {
-    return line.toLight == Sight::blocked;
-}
-
 /// How evenly a point's rays arrive and are blocked: 0 to a half.
 double balanceOf(const PointLog& point) {
     std::size_t blocked = 0;
@@ -58,7 +54,7 @@ std::optional<RayDrawing> drawPoint(const std::vector<const ShadowLog*>& near) {
                      "Expected: they aim at points all over the light's ball."};
     for (std::size_t light = 0; light < telling->lines.size(); ++light)
         for (const AimLine& line : telling->lines[light])
-            if (drawing.rays.size() < kMostRays)
+            if (!line.isAdded && drawing.rays.size() < kMostRays)
                 drawing.rays.push_back(drawLine(*log, line, light));
     return drawing;
 }

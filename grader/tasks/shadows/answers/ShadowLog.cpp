@@ -73,8 +73,9 @@ ShadowLog readShadowLog(const ShadowQuestion& asked, const probe::IlluminateAnsw
         const std::size_t light = questions::nearestLight(lights, course.origin, course.direction);
         std::vector<AimLine>& lines = at.lines[light];
         if (!lines.empty() && isCastAgain(lines.back(), course)) lines.pop_back();
-        lines.push_back(
+        AimLine& line = lines.emplace_back(
             readLine(surfaces, lights[light].position(), course.origin, course.direction));
+        line.isReversed = line.direction.dot(event.b) < 0.0;
     }
     if (log.cut && !answer.events.empty() && answer.events.back().ask < log.points.size())
         log.points.resize(answer.events.back().ask);  // the last one may be incomplete

@@ -19,7 +19,14 @@ struct AimLine {
     double miss = 0.0;                ///< length of `foot`
     Sight toLight = Sight::unsure;    ///< up to the light
     Sight endlessly = Sight::unsure;  ///< whole ray: objects behind the light count
+    bool isReversed = false;          ///< was cast from the light to the point
+    bool isAdded = false;  ///< was not logged: `withCachedRays` takes it for cast and blocked
 };
+
+/// Whether a surface surely lies between the ray's start and the light.
+[[nodiscard]] inline bool isBlocked(const AimLine& line) {
+    return line.toLight == Sight::blocked;
+}
 
 /// What `illuminate` did at one point.
 struct PointLog {

@@ -194,10 +194,41 @@ std::optional<Finding> multipliedPerRay(const Logs& logs) {
     return finding;
 }
 
+// Whether the light is the same power of the share at every point: 2 for code that scales it twice.
+std::optional<Finding> raisedToAPower(const Logs& logs) {
+    constexpr double kSame = 2e-3;
+    constexpr std::size_t kNumbers = 3;  // one share fits a power of its own
+    const std::vector<PartOfLight> points = scaledPoints(logs);
+    const auto middle = std::ranges::min_element(
+        points, {}, [](const PartOfLight& point) { return std::abs(point.share() - 0.5); });
+    if (middle == points.end() || middle->open == 0 || middle->open == middle->cast ||
+        !(middle->part > 0.0))
+        return std::nullopt;
+    const double power = std::log(middle->part) / std::log(middle->share());
+    std::set<std::size_t> numbers;
+    for (const PartOfLight& point : points) {
+        if (std::abs(point.part - std::pow(point.share(), power)) > kSame) return std::nullopt;
+        numbers.insert(point.open);
+    }
+    if (numbers.size() < kNumbers) return std::nullopt;
+    Finding finding = distributedFinding(
+        kShadowWrong, Severity::fail,
+        fmt::format("The share of rays that arrive was expected to scale the light; the share to "
+                    "the power {:.3g} does: where {} of {} arrive, {:.3g} of the light is there.",
+                    power, middle->open, middle->cast, middle->part));
+    finding.hint =
+        "Diffuse and specular light are scaled by the share once: not first the light that arrives "
+        "and then the sum as well, and no power makes the edge of a shadow softer.";
+    finding.section = "Soft shadows (T2.1), step 3";
+    finding.evidence.emplace_back("power", power);
+    return finding;
+}
+
 }  // namespace
 
 std::optional<Finding> explainedShadows(const std::vector<const ShadowLog*>& logs) {
-    for (const auto explain : {ambientScaledEvenly, comparedWrongly, multipliedPerRay})
+    for (const auto explain :
+         {ambientScaledEvenly, comparedWrongly, multipliedPerRay, raisedToAPower})
         if (std::optional<Finding> finding = explain(logs)) return finding;
     return std::nullopt;
 }

@@ -124,14 +124,17 @@ std::optional<Finding> checkManyRays(const ShadowLogs& logs, const ShadowReading
         if (fewest >= asked && isRight) continue;
         Finding finding = distributedFinding(
             fewest < asked ? kShadowTooFewRays : kShadowWrong, Severity::fail,
-            fmt::format("Few rays are cast and counted rightly; asked for {}, illuminate {}.",
-                        asked,
+            fmt::format("With few rays all is right; asked for {}, illuminate {}.", asked,
                         fewest < asked ? fmt::format("casts {}", fewest)
                                        : "gives the light another share than that of the rays "
                                          "that arrive"));
         finding.hint =
-            "Take out what limits the number of rays: an array of a fixed size, std::min, or a "
-            "small type for a count, as std::uint8_t, which begins again at 0 after 255.";
+            fewest < asked
+                ? "Take out what limits the number of rays: an array of a fixed size, std::min, or "
+                  "a small type for a count."
+                : "Divide the number of rays that arrive, as double, by the number that you cast: "
+                  "neither a share in whole percent nor a small type for a count, as std::uint8_t, "
+                  "which begins again at 0 after 255.";
         finding.section = "Soft shadows (T2.1), step 1";
         finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
         finding.evidence.emplace_back("raysSeen", static_cast<double>(fewest));

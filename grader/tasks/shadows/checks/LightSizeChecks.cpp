@@ -29,7 +29,8 @@ constexpr Crowd kAtCentre{0.3, 44};
 std::size_t linesOf(const ShadowLog& log) {
     std::size_t lines = 0;
     for (const PointLog& point : log.points)
-        lines += point.lines[0].size();
+        lines +=
+            static_cast<std::size_t>(std::ranges::count(point.lines[0], false, &AimLine::isAdded));
     return lines;
 }
 

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/answers/ShadowCache.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 
@@ -193,9 +194,11 @@ LitRender readLitRender(const probe::RenderQuestion& asked, const probe::RenderA
 }
 
 std::optional<std::string> litDifference(const LitRender& lit, const VisibleRays& visible) {
-    if (lit.answer.colours.empty()) return looseDifference(lit, visible);
+    if (lit.answer.colours.empty())
+        return visible.cached ? std::nullopt : looseDifference(lit, visible);
     if (!visible.all || lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
-    const ShadowLog log = readShadowLog(lit.asked, lit.answer);
+    ShadowLog log = readShadowLog(lit.asked, lit.answer);
+    if (visible.cached) log = withCachedRays(std::move(log));
     const std::size_t asked = raysAsked(lit);
     if (const RayCounts counts = countRays({&log}); counts.fewest < asked)
         return fmt::format("some points get {} of {} shadow rays to a light", counts.fewest, asked);

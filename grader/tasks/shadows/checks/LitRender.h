@@ -31,7 +31,8 @@ struct LitRender {
 
 /// The shadow rays that the same code shows when it is asked about single points.
 struct VisibleRays {
-    bool all = true;  ///< if not, only loose rays are counted
+    bool all = true;      ///< if not, only loose rays are counted
+    bool cached = false;  ///< those are left out that a shadow cache finds blocked
     /// Rays from a point to a light, if these are all that a render can show; empty: as many as the
     /// settings ask for.
     std::optional<std::size_t> toALight = {};

@@ -6,6 +6,8 @@
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
 #include <grader/tasks/support/FindingOrder.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -87,13 +89,17 @@ bool aimBesideTheLight(const Logs& logs) {
 // An object behind the light.
 std::optional<Finding> checkBeyondLight(const Logs& logs, const ShadowReading& reading) {
     if (allFit(logs, reading, ShadowArithmetic::right)) return std::nullopt;
-    if (!allFit(logs, reading, ShadowArithmetic::endless) &&
-        (!onlyDarker(logs) || aimBesideTheLight(logs)))
-        return unexplainedShadows(logs);
+    const bool blocks = allFit(logs, reading, ShadowArithmetic::endless);
+    if (!blocks && (!onlyDarker(logs) || aimBesideTheLight(logs))) return unexplainedShadows(logs);
     Finding finding = distributedFinding(
         kShadowBeyondLight, Severity::fail,
-        "A point in plain sight of the light was expected to be lit; an object behind the "
-        "light casts a shadow on it.");
+        fmt::format("A point in plain sight of the light was expected to be lit; an object behind "
+                    "the light {}.",
+                    blocks ? "casts a shadow on it" : "makes it darker"));
+    if (!blocks)
+        finding.hint +=
+            " Nor does the distance of a hit say how far away the light is: that is "
+            "(light.position() - P).magnitude().";
     addWorstPoint(logs, finding);
     return finding;
 }

@@ -190,10 +190,12 @@ std::optional<Finding> checkSmallPool(const AimVerdict& aims) {
     if (aims.lines == 0 || aims.distinct > 2 * asked) return std::nullopt;
     Finding finding = distributedFinding(
         kShadowFixedSamples, Severity::warn,
-        fmt::format("New random points of the light were expected for every point that is lit; "
-                    "the same {} or so come again and again, in changing order.",
-                    aims.distinct));
-    finding.hint = "Draw new points in every call, not from a table that is filled once.";
+        fmt::format("New random points of the light were expected for every point that is lit; of "
+                    "{} rays about {} have an aim of their own.",
+                    aims.lines, aims.distinct));
+    finding.hint =
+        "Draw new points in every call: not from a table that is filled once, nor from a generator "
+        "that a number of the place, as P.x, seeds anew.";
     finding.evidence.emplace_back("distinctAims", static_cast<double>(aims.distinct));
     return finding;
 }

@@ -47,11 +47,16 @@ double biasOf(const AimLine& line, const PointLog& point) {
 std::size_t distinctRays(const std::vector<AimLine>& lines) {
     std::vector<std::array<std::int64_t, 6>> seen;
     seen.reserve(lines.size());
+    std::size_t added = 0;
     const auto cell = [](double value) { return std::llround(value * 1e12); };
-    for (const AimLine& line : lines)
-        seen.push_back({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
-                        cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
-    return numberOfDifferent(std::move(seen));
+    for (const AimLine& line : lines) {
+        if (line.isAdded)
+            ++added;
+        else
+            seen.push_back({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
+                            cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
+    }
+    return numberOfDifferent(std::move(seen)) + added;
 }
 
 RayCounts countRays(const std::vector<const ShadowLog*>& logs, bool lightsWithoutRays) {
@@ -154,7 +159,7 @@ std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs, const AimVerdic
             for (const PointLog& point : log->points)
                 for (const AimLine& line : point.lines[i]) {
                     widest = std::max(widest, line.miss);
-                    ++lines;
+                    if (!line.isAdded) ++lines;
                 }
             const bool narrow =
                 std::min(lines, aims.distinct) >= kEnough && widest < kInner * radius;

@@ -15,7 +15,7 @@ inline constexpr double kLargestBias = 1.5e-3;
 /// Distance of a ray's start from the lit point.
 [[nodiscard]] double biasOf(const AimLine& line, const PointLog& point);
 
-/// Number of rays that differ in origin or direction.
+/// Number of rays that differ in origin or direction; each added one counts.
 [[nodiscard]] std::size_t distinctRays(const std::vector<AimLine>& lines);
 
 /// Counts over all points and those of their lights that the surface faces.

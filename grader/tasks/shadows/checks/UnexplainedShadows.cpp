@@ -35,6 +35,16 @@ void addShares(const std::vector<const ShadowLog*>& logs, Finding& finding) {
         worst.open, worst.cast, worst.share(), worst.part);
 }
 
+bool areReversed(const std::vector<const ShadowLog*>& logs) {
+    return std::ranges::any_of(logs, [](const ShadowLog* log) {
+        return std::ranges::any_of(log->points, [](const PointLog& point) {
+            return std::ranges::any_of(point.lines, [](const std::vector<AimLine>& lines) {
+                return std::ranges::any_of(lines, &AimLine::isReversed);
+            });
+        });
+    });
+}
+
 }  // namespace
 
 bool shadowsItself(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {
@@ -100,6 +110,13 @@ Finding unexplainedShadows(const std::vector<const ShadowLog*>& logs) {
             "Points in plain light were expected to be lit; some shadow rays are stopped by the "
             "very surface that they leave.";
         finding.hint = "Start the shadow rays at P + N * kShadowBias, a tiny step off the surface.";
+    }
+    if (areReversed(logs)) {
+        finding.message += " They run from the light to the point.";
+        finding.hint =
+            "The surface that is lit is the last one that such a ray meets, at its full length. "
+            "Rounding decides which of the two is longer: count a hit as blocking only if it is "
+            "nearer by 1e-4 or so, or start at P + N * kShadowBias and cast the ray to the light.";
     }
     addWorstPoint(logs, finding);
     return finding;

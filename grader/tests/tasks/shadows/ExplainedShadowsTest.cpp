@@ -101,6 +101,26 @@ TEST(ExplainedShadows, KnowsLightThatEachBlockedRayMultiplies) {
     EXPECT_FALSE(has(told(squared), "multiplies"));
 }
 
+ColourOf toThePower(double power) {
+    return [=](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * std::pow(open / 10.0, power);
+    };
+}
+
+TEST(ExplainedShadows, KnowsAPowerOfTheShare) {
+    const std::string squared = told(toThePower(2.0));
+    EXPECT_TRUE(has(squared, "the share to the power 2 does")) << squared;
+    EXPECT_TRUE(has(squared, "where 4 of 10 arrive, 0.16 of the light")) << squared;
+    EXPECT_TRUE(has(told(toThePower(0.5)), "power 0.5 ")) << told(toThePower(0.5));
+    EXPECT_FALSE(has(told(toThePower(2.0), {0, 4}), "power")) << "any two points have one";
+    EXPECT_FALSE(has(told([](const Parts& p, int open) {
+                         const double share = open / 10.0;
+                         return p.ambient +
+                                (p.diffuse + p.specular) * (share * share * (3.0 - 2.0 * share));
+                     }),
+                     "power"));
+}
+
 /// A point of the floor, in full light or in full shadow, that the code lights or leaves dark.
 struct FloorPoint {
     double x;
