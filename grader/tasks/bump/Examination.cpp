@@ -87,11 +87,12 @@ MainPlan planMain(std::uint64_t seed) {
     plan.evenSteps = planEvenSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.lightSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0), kLightSteps);
     plan.belts = planBelts(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.ownTexels = planOwnTexels(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
     for (const LevelPair& pair :
          {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows,
           plan.sharpSteps.grey, plan.sharpSteps.higher, plan.slopes.smallField,
-          plan.lightSteps.grey, plan.lightSteps.higher}) {
+          plan.lightSteps.grey, plan.lightSteps.higher, plan.ownTexels.noise}) {
         plan.conduct.rough.push_back(pair.flat);
         plan.conduct.rough.push_back(pair.map);
     }
@@ -171,6 +172,8 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.fewTexels = readFewTexels(plan.fewTexels, answers, parametrisation);
     examination.evenSteps = readEvenSteps(plan.evenSteps, answers, parametrisation);
     examination.belts = readBelts(plan.belts, answers, parametrisation, *ramps.response);
+    examination.ownTexels =
+        readOwnTexels(plan.ownTexels, answers, parametrisation, *ramps.response);
     return examination;
 }
 

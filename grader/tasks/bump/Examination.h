@@ -7,6 +7,7 @@
 #include <grader/tasks/bump/places/Elsewhere.h>
 #include <grader/tasks/bump/places/EvenSteps.h>
 #include <grader/tasks/bump/places/FewTexels.h>
+#include <grader/tasks/bump/places/OwnTexels.h>
 #include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tasks/bump/questions/CoarseRamps.h>
 #include <grader/tasks/bump/questions/Conduct.h>
@@ -46,6 +47,7 @@ struct MainPlan {
     EvenStepPlan evenSteps;
     SharpStepPlan lightSteps;
     BeltPlan belts;
+    OwnTexelPlan ownTexels;
     OrderPair order;  ///< a rough map of few rows, asked in both orders
 };
 
@@ -90,6 +92,7 @@ struct Examination {
     std::optional<FewTexels> fewTexels;
     std::optional<EvenSteps> evenSteps;
     std::optional<Belts> belts;
+    std::optional<OwnTexels> ownTexels;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// Whether the steep ramps, the large map and the maps of `SlopePlan` agree with the ramps.

@@ -159,6 +159,10 @@ constexpr std::array kRightRamps{
     Rule{WrongReason::sharpStepsTurned, [](const Examination& e) { return !e.sharpSteps.good(); }},
     Rule{WrongReason::besidePlanes,
          [](const Examination& e) { return e.belts && !e.belts->good(); }},
+    // This rule comes before `smallSphereDiffers`: the small sphere's waves are short, so that the
+    // slope of a column some way off is another one there first.
+    Rule{WrongReason::otherTexels,
+         [](const Examination& e) { return e.ownTexels && !e.ownTexels->good(); }},
     Rule{WrongReason::smallSphereDiffers,
          [](const Examination& e) { return e.slopes && !e.slopes->smallAgrees(); }},
     Rule{WrongReason::smoothInPlaces, [](const Examination& e) { return !e.untilted.good(); }},

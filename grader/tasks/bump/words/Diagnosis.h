@@ -61,6 +61,7 @@ enum class WrongReason {
     fewTexelsDiffer,     ///< beside the first or last row or column of a small map
     sharpStepsTurned,    ///< white, or light grey, beside black tilts to the other side
     besidePlanes,        ///< another place of the map where x, y or z is nearly 0
+    otherTexels,         ///< one slope is that of another column or row
     smallSphereDiffers,  ///< on a very small sphere
     smoothInPlaces       ///< a condition of the code's own keeps the normal smooth in places
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 namespace ticker::tasks::bump {
@@ -154,6 +155,17 @@ Words beltWords(const Belts& belts) {
         "Take out the condition for a coordinate that is nearly 0: std::atan2 takes any two "
         "numbers. Only at the exact poles, where both are 0, is there no longitude.",
         "Option 1: What to do, step 1"};
+}
+
+Words otherTexelWords(const OwnTexels& ownTexels) {
+    const bool alongV = !ownTexels.column.good();
+    return {fmt::format("On a map of random texels the slope along {0} is not that of the point's "
+                        "own {1}, but that of a {1} {2} {1}s away.",
+                        alongV ? "v" : "u", alongV ? "column" : "row",
+                        std::abs(alongV ? ownTexels.column.away : ownTexels.row.away)),
+            "Both slopes begin at the point's own texel, at(column, row): Bu is the difference to "
+            "the next column of the same row, Bv that to the next row of the same column.",
+            "Option 1: What to do, step 3"};
 }
 
 Words smallSphereWords(const SlopeAgreement& slopes) {

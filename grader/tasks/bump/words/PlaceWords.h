@@ -22,6 +22,8 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words sharpStepWords(const SharpSteps& steps);
 /// Another place of the map where a coordinate is nearly 0.
 [[nodiscard]] Words beltWords(const Belts& belts);
+/// The slope of another column or row.
+[[nodiscard]] Words otherTexelWords(const OwnTexels& ownTexels);
 /// Other slopes on a very small sphere.
 [[nodiscard]] Words smallSphereWords(const SlopeAgreement& slopes);
 

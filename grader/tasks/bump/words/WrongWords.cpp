@@ -237,6 +237,8 @@ constexpr std::array kReasons{
               [](const Seen& told) { return sharpStepWords(told.examination.sharpSteps); }},
     ReasonRow{WrongReason::besidePlanes,
               [](const Seen& told) { return beltWords(*told.examination.belts); }},
+    ReasonRow{WrongReason::otherTexels,
+              [](const Seen& told) { return otherTexelWords(*told.examination.ownTexels); }},
     ReasonRow{WrongReason::smallSphereDiffers,
               [](const Seen& told) { return smallSphereWords(*told.examination.slopes); }},
     ReasonRow{WrongReason::smoothInPlaces,
