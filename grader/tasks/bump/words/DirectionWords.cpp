@@ -179,7 +179,9 @@ std::string hintOf(const Response& response) {
         return names +
                " away with latitude. Pu runs along the circle of latitude, has no y, and does not "
                "depend on the polar angle; Pv runs straight down the meridian: its x and z are "
-               "those of n times the cosine over the sine of the polar angle.";
+               "those of n times the cosine over the sine of the polar angle. If both are right, "
+               "look at the neighbours: a step along Pu in space leads to another row, too; take "
+               "the next column of the same row.";
     return {};
 }
 

@@ -92,8 +92,10 @@ Words shortStepWords(const FewTexels& fewTexels, bool inRows) {
                     percent(inRows ? fewTexels.insideV : fewTexels.insideU)),
         fmt::format("Compare neighbouring texels: the {0} of this point and the next {0}. A "
                     "fixed step of {1}, such as 0.01, stays inside of one texel where the map "
-                    "is small.",
-                    inRows ? "row" : "column", inRows ? "v" : "u"),
+                    "is small. A factor {2}() / {3}() of whole numbers is 0 on a map with fewer "
+                    "{0}s: leave it out, or divide doubles.",
+                    inRows ? "row" : "column", inRows ? "v" : "u", inRows ? "height" : "width",
+                    inRows ? "width" : "height"),
         "Option 1: What to do, step 3"};
 }
 

@@ -92,7 +92,11 @@ TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
         {"normal-forgotten-tangents", "not a number", "such as a sum without n"},
         {"tangents-twist-with-latitude", "turning with the row",
          "Pu and Pv turn away with latitude"},
-        {"pv-turns-with-latitude", "turning with the row", "Pv turns away with latitude"}};
+        {"pv-turns-with-latitude", "turning with the row", "Pv turns away with latitude"},
+        {"neighbour-a-step-along-pu", "turning with the row", "a step along Pu in space"},
+        {"sides-divided-in-whole-numbers", "is lost inside of most", "of whole numbers is 0"},
+        {"v-slope-two-columns-aside", "a column 2 columns away", "Both slopes begin"},
+        {"u-slope-two-rows-aside", "a row 2 rows away", "Both slopes begin"}};
     for (const Told& told : wanted) {
         SCOPED_TRACE(told.id);
         const auto mistake = std::ranges::find(compiledCatalogue(), told.id, &CompiledMistake::id);
