@@ -101,6 +101,33 @@ TEST(CheckArithmetic, NamesTheMeanOverTheRaysThatArrive) {
     EXPECT_NE(idOf(mean(0.2)), "shadow.all-or-nothing");
 }
 
+TEST(CheckArithmetic, TellsAShadowOfWhatIsBehindTheLightFromLessLight) {
+    const auto behind = [](Sight endlessly, double share) {
+        ShadowByHand made;
+        for (const Purpose purpose : {Purpose::oneLight, Purpose::beyondLight}) {
+            const bool isBehind = purpose == Purpose::beyondLight;
+            made.ask(purpose, {{0.0, 16.0, 0.0}});
+            PointLog& point = made.point({0.1, 0.0, 1.0});
+            made.castArc(10);
+            if (isBehind)
+                for (AimLine& line : point.lines[0])
+                    line.endlessly = endlessly;
+            const Parts parts = partsOf(point, made.last());
+            point.colour =
+                parts.ambient + (parts.diffuse + parts.specular) * (isBehind ? share : 1.0);
+        }
+        return checkArithmetic(made.logs()).finding;
+    };
+    EXPECT_EQ(idOf(behind(Sight::blocked, 1.0)), "");
+    const auto blocked = behind(Sight::blocked, 0.0);
+    ASSERT_EQ(idOf(blocked), "shadow.beyond-light");
+    EXPECT_NE(blocked->message.find("casts a shadow on it"), std::string::npos);
+    const auto darker = behind(Sight::blocked, 0.4);
+    ASSERT_EQ(idOf(darker), "shadow.beyond-light");
+    EXPECT_NE(darker->message.find("makes it darker"), std::string::npos);
+    EXPECT_NE(darker->hint.find("how far away the light is"), std::string::npos);
+}
+
 TEST(CheckArithmetic, ShowsAPointThatDoesNotFit) {
     const auto wrong = judgeRays([](const Parts& p, int open) {
         return p.ambient + p.diffuse * (open / 10.0) + p.specular * (open == 6 ? 0.1 : open / 10.0);

@@ -74,6 +74,17 @@ TEST(ShadowLog, TakesARayThatGoesOnBesideItsStartForOneSample) {
     EXPECT_EQ(lines[0].origin.y, 1e-4) << "the ray that goes on decides";
 }
 
+TEST(ShadowLog, KnowsARayThatRunsFromTheLightToThePoint) {
+    Logged logged;
+    logged.cast(0, {0.1, 4.0, 0.0}, {-0.1, -4.0 + 1e-4, 0.0});
+    logged.cast(0, {0.0, 1e-4, 0.0}, {0.1, 4.0, 0.0});
+    const ShadowLog log = logged.read();
+    const std::vector<AimLine>& lines = log.points[0].lines[0];
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_TRUE(lines[0].isReversed);
+    EXPECT_FALSE(lines[1].isReversed);
+}
+
 TEST(ShadowLog, LeavesOutWhatIsNoRay) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double endless = std::numeric_limits<double>::infinity();

@@ -84,6 +84,7 @@ TEST(CheckSmallPool, WarnsWhereManyRaysShareAFewAims) {
     const auto pool = checkSmallPool(aims);
     ASSERT_EQ(idOf(pool), "shadow.fixed-samples");
     EXPECT_EQ(pool->severity, Severity::warn);
+    EXPECT_NE(pool->message.find("of 2010 rays about 13 have"), std::string::npos);
     aims.distinct = 64;
     EXPECT_FALSE(checkSmallPool(aims));
     EXPECT_FALSE(checkSmallPool({})) << "without rays nothing can be said";

@@ -74,5 +74,20 @@ TEST(UnexplainedShadows, ComparesTheShareOfLightWithTheRaysThatArrive) {
     EXPECT_EQ(toldOf({}).find("rays arrive"), std::string::npos);
 }
 
+TEST(UnexplainedShadows, SayWhenRaysRunFromTheLightToThePoint) {
+    const auto told = [](bool isReversed) {
+        ShadowByHand made;
+        made.ask(ShadowQuestion::Purpose::oneLight);
+        made.point();
+        made.cast({0.0, 6.0, 0.0});
+        made.cast({0.1, 6.0, 0.0}).isReversed = isReversed;
+        return unexplainedShadows(made.logs().oneLight);
+    };
+    EXPECT_NE(told(true).message.find("They run from the light to the point."), std::string::npos);
+    EXPECT_NE(told(true).hint.find("nearer by 1e-4"), std::string::npos);
+    EXPECT_EQ(told(false).message.find("run from"), std::string::npos);
+    EXPECT_EQ(told(false).hint.find("nearer by"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ticker::tasks
