@@ -61,7 +61,7 @@ std::vector<AimLine> withoutCentral(const Setting& at, const std::vector<AimLine
     if (central == lines.end() || central->miss > exact) return lines;
     std::vector<AimLine> counted;
     std::ranges::copy_if(lines, std::back_inserter(counted), [&](const AimLine& line) {
-        return (line.direction - central->direction).magnitude() > kEqual;
+        return line.isAdded || (line.direction - central->direction).magnitude() > kEqual;
     });
     return counted;
 }

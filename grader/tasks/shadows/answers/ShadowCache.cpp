@@ -1,7 +1,7 @@
 #include <grader/tasks/shadows/answers/ShadowCache.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -26,28 +26,36 @@ std::vector<Surfaces> apart(const SceneDescription& scene) {
     return objects;
 }
 
-/// How many rays a point and a light get: as many as asked for, or a multiple.
+/// How many rays a point and a light get: as many as asked for, a multiple, or some more.
 class RaysCast {
 public:
     /// @param log  At the handout's settings.
     void look(const ShadowLog& log) {
+        const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
         for (const PointLog& point : log.points)
-            for (const std::vector<AimLine>& lines : point.lines)
-                times_ = std::max(
-                    times_, static_cast<double>(lines.size()) / log.settings().shadowRayCount);
+            for (const std::vector<AimLine>& lines : point.lines) {
+                if (lines.size() <= times_ * asked + more_) continue;
+                times_ = lines.size() / asked;
+                more_ = lines.size() % asked;
+            }
     }
     // Of lights in one direction the rays cannot be told apart, and nothing blocks them.
     [[nodiscard]] std::size_t missingAt(const ShadowLog& log,
                                         const std::vector<AimLine>& lines) const {
         if (log.asked->purpose == ShadowQuestion::Purpose::lightsInLine) return 0;
-        const auto cast =
-            static_cast<std::size_t>(std::lround(times_ * log.settings().shadowRayCount));
+        const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
+        const std::size_t cast = times_ * asked + more_;
         return cast - std::min(cast, lines.size());
     }
 
 private:
-    double times_ = 1.0;
+    std::size_t times_ = 1;
+    std::size_t more_ = 0;
 };
+
+bool isOpen(const AimLine& line) {
+    return line.toLight == Sight::open;
+}
 
 bool facesLight(const ShadowLog& log, const PointLog& point, std::size_t light) {
     const Vector3 towards = log.scene().pointLights[light].position() - point.point.position;
@@ -94,38 +102,48 @@ public:
 private:
     void readPlace(const PointLog& point, std::size_t light) {
         const std::vector<AimLine>& lines = point.lines[light];
-        const Vector3& centre = log_.scene().pointLights[light].position();
-        bool arrivesAfter = false;
-        const AimLine* before = nullptr;
-        for (const AimLine& line : lines) {
-            if (line.toLight != Sight::open) anyBlocked_ = true;
-            if (before != nullptr && isBlocked(*before)) {
-                if (isBlocked(line) && shareABlocker(*before, line, centre))
-                    evidence_.contradicted = true;
-                if (line.toLight == Sight::open) arrivesAfter = true;
-            }
-            before = &line;
-        }
+        if (!std::ranges::all_of(lines, isOpen)) anyBlocked_ = true;
         if (lines.empty() && !facesLight(log_, point, light)) return;
         if (cast_.missingAt(log_, lines) == 0) return;
-        if (!anyBlocked_) evidence_.contradicted = true;
-        if (arrivesAfter) ++evidence_.goesOn;
+        if (!anyBlocked_ || endsEarly(point, light)) evidence_.contradicted = true;
+        const auto blocked = std::ranges::find_if(lines, isBlocked);
+        if (std::any_of(blocked, lines.end(), isOpen)) ++evidence_.goesOn;
     }
 
-    // Whether the object that `first` meets before the light surely blocks `second` as well.
-    [[nodiscard]] bool shareABlocker(const AimLine& first, const AimLine& second,
-                                     const Vector3& centre) const {
-        const double reach = (centre - first.origin).magnitude();
-        const Surfaces* nearest = nullptr;
-        double distance = reach;
-        for (const Surfaces& object : objects_) {
-            const double hit = object.hitsAlong(first.origin, first.direction).plain;
-            if (!(hit < distance)) continue;
-            distance = hit;
-            nearest = &object;
+    // Whether a ray follows a blocked one, and meets the object of that one and of the first.
+    [[nodiscard]] bool endsEarly(const PointLog& point, std::size_t light) const {
+        const double reach =
+            (log_.scene().pointLights[light].position() - point.point.position).magnitude();
+        const AimLine* first = nullptr;
+        const AimLine* before = nullptr;
+        for (const AimLine& line : point.lines[light]) {
+            // Rays that run from a light close by to the point are not recognised as such.
+            if (biasOf(line, point) > kLargestBias) continue;
+            if (before != nullptr && isBlocked(*before) && hides(*before, line, reach) &&
+                hides(*first, line, reach))
+                return true;
+            if (first == nullptr && isBlocked(line)) first = &line;
+            before = &line;
         }
-        return nearest != nullptr &&
-               nearest->sightAlong(second.origin, second.direction, reach) == Sight::blocked;
+        return false;
+    }
+
+    // Whether every object that hides the light from `earlier` hides it from `line`, too: which of
+    // them was met first depends on the end that the ray starts from. Next to the light a hit may
+    // lie behind the sample, whose place is not visible.
+    [[nodiscard]] bool hides(const AimLine& earlier, const AimLine& line, double reach) const {
+        constexpr double kBeforeTheLight = 0.9;
+        const auto blocks = [&](const Surfaces& object, const AimLine& ray) {
+            return object.sightAlong(ray.origin, ray.direction, kBeforeTheLight * reach) ==
+                   Sight::blocked;
+        };
+        bool any = false;
+        for (const Surfaces& object : objects_) {
+            if (!blocks(object, earlier)) continue;
+            if (!blocks(object, line)) return false;
+            any = true;
+        }
+        return any;
     }
 
     const ShadowLog& log_;

@@ -14,9 +14,9 @@ namespace ticker::tasks {
 [[nodiscard]] ShadowLog withCachedRays(ShadowLog log);
 
 /// The same for all logs, if a shadow cache explains every ray that is missing: an earlier ray of
-/// the same question was blocked; no ray follows a blocked one of its light and meets the same
-/// object, as it would in code that ends its loop early; and several points have a ray that
-/// arrives after a blocked one. Empty otherwise, or if no ray is missing.
+/// the same question was blocked; no ray follows a blocked one of its light and meets the object of
+/// that ray and of the first blocked one, as it would in code that ends its loop early; and several
+/// points have a ray that arrives after a blocked one. Empty otherwise, or if no ray is missing.
 [[nodiscard]] std::optional<std::vector<ShadowLog>> withCachedRays(
     const std::vector<ShadowLog>& logs);
 

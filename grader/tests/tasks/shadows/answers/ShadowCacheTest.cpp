@@ -85,6 +85,16 @@ TEST(ShadowCacheRays, DoNotExplainASecondRayThatMeetsTheSameObject) {
     EXPECT_FALSE(withCachedRays(std::vector{made.last()}));
 }
 
+TEST(ShadowCacheRays, MayFollowARayThatMeetsTheSameObjectWhereEveryRayWasCast) {
+    UnderABall made;
+    made.points(4, {kOpen, kHidden, kOpen, kOpen});
+    made.point({kHidden, kHidden, kHidden, kHidden, kHidden, kOpen, kOpen, kOpen, kOpen, kOpen});
+    const auto whole = withCachedRays(std::vector{made.last()});
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(std::ranges::count(whole->front().points.back().lines[0], true, &AimLine::isAdded),
+              0);
+}
+
 TEST(ShadowCacheRays, DoNotExplainMissingRaysWhereNothingWasBlocked) {
     UnderABall made;
     made.points(4, {kOpen, kHidden, kOpen, kOpen});
